@@ -1,0 +1,62 @@
+#include "flight/image_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace overfly {
+namespace {
+
+// Coordinates of a vector along a camera's right, down and view.
+struct FilmCoordinates {
+    explicit FilmCoordinates(const RayFrame& frame)
+        : along_right(cross(frame.down, frame.view)),
+          along_down(cross(frame.view, frame.right)),
+          along_view(cross(frame.right, frame.down)) {
+        const double volume = dot(along_right, frame.right);
+        along_right = along_right / volume;
+        along_down = along_down / volume;
+        along_view = along_view / volume;
+    }
+    [[nodiscard]] Vector<Camera> of(Vector<Scene> v) const {
+        return {dot(along_right, v), dot(along_down, v), dot(along_view, v)};
+    }
+    Vector<Scene> along_right, along_down, along_view;
+};
+
+// The ground point at parameter s of the exact ray is seen by the fitted camera at the film point of
+// (x, y, 1) + shift, shift = turned + moved / s: the film moves by this much.
+double film_distance(double x, double y, Vector<Camera> shift) {
+    const double depth = 1.0 + shift.z;
+    if (!(depth > 0.0)) return std::numeric_limits<double>::infinity();
+    return std::hypot(shift.x - x * shift.z, shift.y - y * shift.z) / depth;
+}
+
+}  // namespace
+
+RayFrame ray_frame(const CameraPose& pose) {
+    return {pose.position, pose.tan_half_fov * pose.orientation.x, pose.tan_half_fov * pose.orientation.y,
+            pose.orientation.z};
+}
+
+double image_error(const RayFrame& exact, const RayFrame& fitted, double half_height, double distance_m) {
+    const FilmCoordinates film(fitted);
+    const Vector<Camera> moved = film.of(exact.origin - fitted.origin);
+    const Vector<Camera> right = film.of(exact.right - fitted.right), down = film.of(exact.down - fitted.down),
+                         view = film.of(exact.view - fitted.view);
+    constexpr int kHalf = 2;  // points on either side of the middle
+    double largest = 0.0;
+    for (int row = -kHalf; row <= kHalf; ++row)
+        for (int column = -kHalf; column <= kHalf; ++column) {
+            const double x = static_cast<double>(column) / kHalf, y = half_height * row / kHalf;
+            const Vector<Camera> turned = x * right + y * down + view;
+            // 1/s reaches from 0, infinitely far, to this; the error is monotone or convex in it but for 1 + shift.z,
+            // so its ends decide.
+            const double nearest_per_s = length(x * exact.right + y * exact.down + exact.view) / distance_m;
+            largest =
+                std::max({largest, film_distance(x, y, turned), film_distance(x, y, turned + nearest_per_s * moved)});
+        }
+    return largest;
+}
+
+}  // namespace overfly
