@@ -1,0 +1,385 @@
+// Compiled once for each vector unit (Highway); the best that the processor offers runs.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/swept_ray.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "trace/line.h"
+#include "trace/plane_depth.h"
+#include "trace/swept_ray.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace overfly {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, kTimeCells>;
+using Doubles = hn::CappedTag<double, kTimeCells>;
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+// Box tests are in float and only have to err on the side of a hit: the places are widened by StaticBvh::slack_m and
+// the directions and depths by more than the few roundings between them.
+constexpr float kWiden = 1e-6F;
+// A direction component nearer to zero than this is treated as either sign.
+constexpr double kTiny = 1e-20;
+
+// Appends the bits of a mask of lanes that begin at cell `first`.
+template <class D>
+HWY_INLINE std::uint32_t bits_at(D d, hn::Mask<D> mask, std::size_t first) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    return (static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8U) << first;
+}
+
+// Bounds of the swept ray in each cell: of its origin, and of the reciprocal of its direction.
+struct alignas(64) Sweep {
+    std::array<PerCell<float>, 3> origin_low, origin_high;
+    std::array<PerCell<float>, 3> inverse_low, inverse_high;  // 1 / low and 1 / high of the direction
+    std::array<bool, 3> any_mixed{};                          // a direction of either sign in some cell
+};
+
+Sweep sweep_of(const SweptRay& ray, const CellLines& lines) {
+    Sweep sweep;
+    const Point<Scene> at = ray.cells->piece->reference;
+    const std::array<double, 3> reference = {at.x, at.y, at.z};
+    const auto slack = static_cast<double>(ray.bvh->slack_m);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t cell = 0; cell < kTimeCells; ++cell) {
+            double low = lines.direction[axis][0][cell];
+            double high = low;
+            for (std::size_t j = 1; j < 5; ++j) {
+                low = std::min(low, lines.direction[axis][j][cell]);
+                high = std::max(high, lines.direction[axis][j][cell]);
+            }
+            low -= static_cast<double>(kWiden) * std::abs(low) + kTiny;
+            high += static_cast<double>(kWiden) * std::abs(high) + kTiny;
+            // Zero as a bound would divide by zero; a bound this small on either side is as good.
+            if (low == 0.0) low = -kTiny;
+            if (high == 0.0) high = kTiny;
+            sweep.inverse_low[axis][cell] = static_cast<float>(1.0 / low);
+            sweep.inverse_high[axis][cell] = static_cast<float>(1.0 / high);
+            sweep.any_mixed[axis] = sweep.any_mixed[axis] || (low < 0.0 && high > 0.0);
+            const double origin_low = reference[axis] + ray.cells->origin_low[axis][cell] - slack;
+            const double origin_high = reference[axis] + ray.cells->origin_high[axis][cell] + slack;
+            sweep.origin_low[axis][cell] = static_cast<float>(origin_low);
+            sweep.origin_high[axis][cell] = static_cast<float>(origin_high);
+        }
+    }
+    return sweep;
+}
+
+// Which cells meet a box, and how near at least.
+struct BoxHits {
+    std::uint32_t cells = 0;
+    float enter = kInfinity;
+};
+
+class Walk {
+  public:
+    Walk(const SweptRay& ray, CellRecords& records, TraceCounters& counters)
+        : ray_(&ray),
+          records_(&records),
+          counters_(&counters),
+          lines_(ray.cells->lines_of(ray.x, ray.y)),
+          sweep_(sweep_of(ray, lines_)) {
+        far_.fill(kInfinity);
+    }
+
+    void run() {
+        if (ray_->bvh->empty() || ray_->active == 0) return;
+        struct Entry {
+            std::uint32_t node, cells;
+            float enter;
+        };
+        std::array<Entry, kStack> stack;
+        std::size_t height = 0;
+        stack[height++] = {0, ray_->active, 0.0F};
+        while (height > 0) {
+            const Entry entry = stack[--height];
+            if (entry.enter > farthest_) continue;
+            const StaticBvh::Node& node = ray_->bvh->nodes[entry.node];
+            const std::array<BoxHits, 2> hits = {box_hits(node, 0, entry.cells), box_hits(node, 1, entry.cells)};
+            // The nearer child first, so that what it covers can hide the other.
+            const std::size_t near = hits[1].enter < hits[0].enter ? 1 : 0;
+            std::array<Entry, 2> inner;
+            std::size_t inner_count = 0;
+            for (const std::size_t k : {near, 1 - near}) {
+                if (hits[k].cells == 0) continue;
+                if (node.size[k] > 0) {
+                    for (std::uint32_t i = 0; i < node.size[k]; ++i) {
+                        test_triangle(ray_->bvh->triangles[node.child[k] + i], hits[k].cells);
+                    }
+                } else {
+                    inner[inner_count++] = {node.child[k], hits[k].cells, hits[k].enter};
+                }
+            }
+            while (inner_count > 0) stack[height++] = inner[--inner_count];
+        }
+    }
+
+  private:
+    static constexpr std::size_t kStack = 128;  // twice the deepest hierarchy that build_static_bvh makes
+
+    // The slab test of Kay and Kajiya 1986 in interval arithmetic: the earliest entry and the latest exit of any ray
+    // that starts in the origin's bounds and runs along a direction within its bounds.
+    HWY_INLINE BoxHits box_hits(const StaticBvh::Node& node, std::size_t child, std::uint32_t cells) {
+        ++counters_->box_tests;
+        const Floats d;
+        const std::size_t lanes = hn::Lanes(d);
+        BoxHits hits;
+        for (std::size_t first = 0; first < kTimeCells; first += lanes) {
+            auto enter = hn::Zero(d);
+            auto exit = hn::Load(d, &far_[first]);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto from_low =
+                    hn::Sub(hn::Set(d, node.low[child][axis]), hn::Load(d, &sweep_.origin_high[axis][first]));
+                const auto to_high =
+                    hn::Sub(hn::Set(d, node.high[child][axis]), hn::Load(d, &sweep_.origin_low[axis][first]));
+                const auto inverse_low = hn::Load(d, &sweep_.inverse_low[axis][first]);
+                const auto inverse_high = hn::Load(d, &sweep_.inverse_high[axis][first]);
+                const auto a = hn::Mul(from_low, inverse_low);
+                const auto b = hn::Mul(from_low, inverse_high);
+                const auto c = hn::Mul(to_high, inverse_low);
+                const auto e = hn::Mul(to_high, inverse_high);
+                auto axis_enter = hn::Min(hn::Min(a, b), hn::Min(c, e));
+                auto axis_exit = hn::Max(hn::Max(a, b), hn::Max(c, e));
+                if (sweep_.any_mixed[axis]) {
+                    // A direction of either sign never has to leave, and reaches the slab from outside no sooner than
+                    // this.
+                    const auto mixed = hn::And(hn::Lt(inverse_low, hn::Zero(d)), hn::Gt(inverse_high, hn::Zero(d)));
+                    axis_enter = hn::IfThenElse(mixed, hn::Max(b, c), axis_enter);
+                    axis_exit = hn::IfThenElse(mixed, hn::Set(d, kInfinity), axis_exit);
+                }
+                enter = hn::Max(enter, axis_enter);
+                exit = hn::Min(exit, axis_exit);
+            }
+            const auto met =
+                hn::Le(hn::Mul(enter, hn::Set(d, 1.0F - kWiden)), hn::Mul(exit, hn::Set(d, 1.0F + kWiden)));
+            const std::uint32_t chunk = bits_at(d, met, first) & cells;
+            if (chunk == 0) continue;
+            hits.cells |= chunk;
+            const auto nearest = hn::MinOfLanes(d, hn::IfThenElse(met, enter, hn::Set(d, kInfinity)));
+            hits.enter = std::min(hits.enter, hn::GetLane(nearest));
+        }
+        if (hits.cells != 0) ++counters_->box_hits;
+        return hits;
+    }
+
+    // The cells in which a line passes the three sides on one hand, for certain or perhaps.
+    struct SideMasks {
+        std::uint32_t surely_inside = 0, perhaps_inside = 0;
+    };
+
+    HWY_INLINE SideMasks side_masks(std::uint32_t cells) {
+        const Doubles d;
+        const std::size_t lanes = hn::Lanes(d);
+        const std::uint32_t chunk = (1U << lanes) - 1U;
+        SideMasks masks;
+        for (std::size_t first = 0; first < kTimeCells; first += lanes) {
+            if ((cells >> first & chunk) == 0) continue;
+            const auto zero = hn::Zero(d);
+            auto all_front = hn::Eq(zero, zero);
+            auto all_back = all_front;
+            auto any_front = all_front;
+            auto any_back = all_front;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto [least, most] = edge_range(k, first);
+                all_front = hn::And(all_front, hn::Ge(least, zero));
+                all_back = hn::And(all_back, hn::Le(most, zero));
+                any_front = hn::And(any_front, hn::Ge(most, zero));
+                any_back = hn::And(any_back, hn::Le(least, zero));
+            }
+            masks.surely_inside |= bits_at(d, hn::Or(all_front, all_back), first);
+            masks.perhaps_inside |= bits_at(d, hn::Or(any_front, any_back), first);
+        }
+        masks.surely_inside &= cells;
+        masks.perhaps_inside &= cells;
+        return masks;
+    }
+
+    // Evaluates the coefficients of edge k in the lanes from `first`, keeps them, and returns their range.
+    HWY_INLINE std::pair<hn::Vec<Doubles>, hn::Vec<Doubles>> edge_range(std::size_t k, std::size_t first) {
+        const Doubles d;
+        const EdgeFunction& edge = edges_[k];
+        // The order of operations is that of EdgeFunction::at, without fused steps, so that neighbours agree bit by
+        // bit.
+        const auto ax = hn::Set(d, -edge.sign * edge.a_cross_b.x);
+        const auto ay = hn::Set(d, -edge.sign * edge.a_cross_b.y);
+        const auto az = hn::Set(d, -edge.sign * edge.a_cross_b.z);
+        const auto bx = hn::Set(d, -edge.sign * edge.b_minus_a.x);
+        const auto by = hn::Set(d, -edge.sign * edge.b_minus_a.y);
+        const auto bz = hn::Set(d, -edge.sign * edge.b_minus_a.z);
+        auto least = hn::Set(d, std::numeric_limits<double>::infinity());
+        auto most = hn::Neg(least);
+        for (std::size_t j = 0; j < 5; ++j) {
+            const auto term = [&](hn::Vec<Doubles> factor, const PerCell<double>& line)
+                                  HWY_ATTR { return hn::Mul(factor, hn::Load(d, &line[first])); };
+            const auto along = hn::Add(hn::Add(term(ax, lines_.direction[0][j]), term(ay, lines_.direction[1][j])),
+                                       term(az, lines_.direction[2][j]));
+            const auto about = hn::Add(hn::Add(term(bx, lines_.moment[0][j]), term(by, lines_.moment[1][j])),
+                                       term(bz, lines_.moment[2][j]));
+            const auto coefficient = hn::Add(along, about);
+            hn::Store(coefficient, d, &coefficients_[k][j][first]);
+            least = hn::Min(least, coefficient);
+            most = hn::Max(most, coefficient);
+        }
+        return {least, most};
+    }
+
+    void test_triangle(TriangleId triangle, std::uint32_t cells) {
+        ++counters_->triangle_tests;
+        const TerrainMesh& mesh = *ray_->mesh;
+        const Point<Scene> reference = ray_->cells->piece->reference;
+        const auto& corner = mesh.triangles[triangle];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const VertexId a = corner[k];
+            const VertexId b = corner[(k + 1) % 3];
+            edges_[k] = edge_function(a, b, mesh.positions[a] - reference, mesh.positions[b] - reference);
+        }
+        const SideMasks masks = side_masks(cells);
+        if (masks.perhaps_inside == 0) return;
+        const PlaneDepth depth(mesh, triangle, *ray_->cells->piece, ray_->x, ray_->y);
+        bool hit = false;
+        for (std::uint32_t rest = masks.perhaps_inside; rest != 0; rest &= rest - 1) {
+            const auto cell = static_cast<std::size_t>(std::countr_zero(rest));
+            const bool whole = (masks.surely_inside >> cell & 1U) != 0;
+            hit |= whole ? record_whole(triangle, depth, cell) : record_parts(triangle, depth, cell);
+        }
+        if (hit) ++counters_->triangle_hits;
+    }
+
+    bool record_whole(TriangleId triangle, const PlaneDepth& depth, std::size_t cell) {
+        if (sign_changes<2>(depth.numerator_in(cell)) != 0) return record_parts(triangle, depth, cell);
+        return record(triangle, depth, cell, 0.0, 1.0);
+    }
+
+    // Which side of an edge the line is on within one cell: all through, or by a polynomial that changes sign.
+    struct Side {
+        bool changes = false;
+        double constant = 0.0;  // of the sign that it keeps
+        std::array<double, 5> monomials{};
+
+        [[nodiscard]] double at(double u) const {
+            if (!changes) return constant;
+            const auto& c = monomials;
+            return c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * c[4])));
+        }
+    };
+
+    // The side of edge k, and the times at which it changes, added to `cuts`.
+    Side side_in(std::size_t k, std::size_t cell, double* cuts, std::size_t& count) const {
+        Bernstein<4> b;
+        for (std::size_t j = 0; j < 5; ++j) b[j] = coefficients_[k][j][cell];
+        const auto [least, most] = std::minmax_element(b.begin(), b.end());
+        Side side;
+        if (*least >= 0.0 || *most <= 0.0) {
+            side.constant = *least + *most;
+            return side;
+        }
+        side.changes = true;
+        side.monomials = monomials<4>(b);
+        for (const double u : sign_change_roots<4>(b)) cuts[count++] = u;
+        return side;
+    }
+
+    // Cuts the cell where the line crosses a side, or the camera the plane, and keeps the stretches inside.
+    bool record_parts(TriangleId triangle, const PlaneDepth& depth, std::size_t cell) {
+        std::array<double, 16> cuts;
+        std::size_t count = 0;
+        cuts[count++] = 0.0;
+        const std::array<Side, 3> sides = {side_in(0, cell, cuts.data(), count), side_in(1, cell, cuts.data(), count),
+                                           side_in(2, cell, cuts.data(), count)};
+        for (const double u : sign_change_roots<2>(depth.numerator_in(cell))) cuts[count++] = u;
+        cuts[count++] = 1.0;
+        if (count > 3) std::sort(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(count));
+        bool hit = false;
+        double open_since = -1.0;  // start of a stretch that may go on
+        for (std::size_t i = 0; i + 1 < count; ++i) {
+            const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
+            const EdgeValues values = {{sides[0].at(middle), sides[1].at(middle), sides[2].at(middle)}};
+            const bool seen =
+                values.inside() && cuts[i + 1] > cuts[i] && depth.at(TimeCells::piece_u(cell, middle)) > 0.0;
+            if (seen && open_since < 0.0) open_since = cuts[i];
+            const bool ends = open_since >= 0.0 && (!seen || i + 2 == count);
+            if (ends) {
+                hit |= record(triangle, depth, cell, open_since, seen ? cuts[i + 1] : cuts[i]);
+                open_since = -1.0;
+            }
+        }
+        return hit;
+    }
+
+    bool record(TriangleId triangle, const PlaneDepth& depth, std::size_t cell, double begin, double end) {
+        const double s0 = depth.at(TimeCells::piece_u(cell, begin));
+        const double s1 = depth.at(TimeCells::piece_u(cell, 0.5 * (begin + end)));
+        const double s2 = depth.at(TimeCells::piece_u(cell, end));
+        if (!(s1 > 0.0)) return false;
+        // s is a smooth ratio of quadratics over a short time: its turns between the three are covered by their spread.
+        const double low = std::min({s0, s1, s2});
+        const double high = std::max({s0, s1, s2});
+        const double margin = 0.5 * (high - low) + 1e-9 * high;
+        if (low - margin > static_cast<double>(far_[cell])) return true;
+        (*records_)[cell].push_back({begin, end, low - margin, high + margin, triangle});
+        update_far(cell);
+        return true;
+    }
+
+    // Records in order of time; of those that begin together the nearer first.
+    static bool goes_before(const CellRecord& a, const CellRecord& b) {
+        return a.begin != b.begin ? a.begin < b.begin : a.farthest_m < b.farthest_m;
+    }
+
+    // Nothing behind records that together cover the cell can be seen.
+    void update_far(std::size_t cell) {
+        auto& list = (*records_)[cell];
+        for (std::size_t i = list.size() - 1; i > 0 && goes_before(list[i], list[i - 1]); --i) {
+            std::swap(list[i], list[i - 1]);
+        }
+        double reach = 0.0;
+        double far = 0.0;
+        for (const CellRecord& r : list) {
+            if (r.begin > reach) return;
+            if (r.end > reach) far = std::max(far, r.farthest_m);
+            reach = std::max(reach, r.end);
+        }
+        if (reach < 1.0) return;
+        far_[cell] = std::min(far_[cell], static_cast<float>(far * (1.0 + static_cast<double>(kWiden))));
+        farthest_ = 0.0F;
+        for (std::uint32_t rest = ray_->active; rest != 0; rest &= rest - 1) {
+            farthest_ = std::max(farthest_, far_[static_cast<std::size_t>(std::countr_zero(rest))]);
+        }
+    }
+
+    const SweptRay* ray_;
+    CellRecords* records_;
+    TraceCounters* counters_;
+    CellLines lines_;
+    Sweep sweep_;
+    alignas(64) PerCell<float> far_;
+    float farthest_ = kInfinity;
+    std::array<EdgeFunction, 3> edges_{};
+    alignas(64) std::array<std::array<PerCell<double>, 5>, 3> coefficients_{};
+};
+
+void gather(const SweptRay& ray, CellRecords& records, TraceCounters& counters) { Walk(ray, records, counters).run(); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace overfly
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace overfly {
+HWY_EXPORT(gather);
+
+void gather_records(const SweptRay& ray, CellRecords& records, TraceCounters& counters) {
+    HWY_DYNAMIC_DISPATCH(gather)(ray, records, counters);
+}
+}  // namespace overfly
+#endif
