@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/colour.h"
+#include "film/frame.h"
+
+namespace overfly {
+
+// What comes along a line of sight at one instant; colour is premultiplied with alpha.
+struct Radiance {
+    Rgb colour;
+    float alpha = 1.0F;
+    float depth_m = Frame::kNoDepth;
+};
+
+// One frame while it is being exposed. Different pixels may be added to from different threads at once.
+class FilmFrame {
+  public:
+    FilmFrame(int width, int height);
+
+    // The weights that a pixel gets in all add up to 1.
+    void add(std::size_t pixel, float weight, const Radiance& radiance) {
+        std::array<float, 4>& p = frame_.rgba[pixel];
+        p[0] += weight * radiance.colour.r;
+        p[1] += weight * radiance.colour.g;
+        p[2] += weight * radiance.colour.b;
+        p[3] += weight * radiance.alpha;
+        if (radiance.depth_m < frame_.depth_m[pixel]) frame_.depth_m[pixel] = radiance.depth_m;
+    }
+    // The exposed frame. The film is used up.
+    [[nodiscard]] Frame develop() && { return std::move(frame_); }
+
+  private:
+    Frame frame_;
+};
+
+}  // namespace overfly

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "core/time_range.h"
+
+namespace overfly {
+
+// Integrates what one image sample sees over one exposure (design 3.5): every stretch of time has the weight that it
+// takes of the exposure, so visibility and coverage are exact in time; within a stretch radiance is smooth, and a Gauss
+// rule of as many points as the stretch is long for finds its mean.
+//
+// `segments` have a TimeRange `when`, are in time order and do not overlap; between them the sky is seen. `window` is
+// the time that the segments speak of. Calls deposit(segment or nullptr, time_s, share) with shares of the whole
+// exposure that add up to the part of it inside the window; an exposure of no duration counts wholly if the window, end
+// excluded, has it. A segment of no duration stands for the whole exposure that it lies in.
+template <class Segment, class Deposit>
+void integrate(std::span<const Segment> segments, TimeRange window, TimeRange exposure, const Deposit& deposit);
+
+namespace detail {
+
+struct GaussRule {
+    std::size_t points;
+    std::array<double, 3> place;   // from -1 to 1
+    std::array<double, 3> weight;  // adding up to 1
+};
+inline constexpr std::array<GaussRule, 3> kGaussRules = {{
+    {1, {0.0}, {1.0}},
+    {2, {-0.57735026918962576, 0.57735026918962576}, {0.5, 0.5}},
+    {3, {-0.77459666924148338, 0.0, 0.77459666924148338}, {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0}},
+}};
+// Shares of the exposure from which a stretch gets two and three points. Measured on the demo shot against 1,024
+// samples: with one point throughout the error of 16 lines is a third larger, with more points than these no smaller.
+inline constexpr double kTwoPointShare = 0.2;
+inline constexpr double kThreePointShare = 0.6;
+
+template <class Segment, class Deposit>
+void deposit_stretch(const Segment* segment, TimeRange stretch, double exposure_s, const Deposit& deposit) {
+    const double share = stretch.duration_s() / exposure_s;
+    if (share <= 0.0) return;
+    const GaussRule& rule = kGaussRules[share < kTwoPointShare ? 0 : share < kThreePointShare ? 1 : 2];
+    for (std::size_t i = 0; i < rule.points; ++i) {
+        const double time_s = stretch.centre_s() + 0.5 * stretch.duration_s() * rule.place[i];
+        deposit(segment, time_s, share * rule.weight[i]);
+    }
+}
+
+}  // namespace detail
+
+template <class Segment, class Deposit>
+void integrate(std::span<const Segment> segments, TimeRange window, TimeRange exposure, const Deposit& deposit) {
+    const Segment* const none = nullptr;
+    if (exposure.duration_s() == 0.0) {
+        const double t = exposure.begin_s;
+        if (t < window.begin_s || t >= window.end_s) return;
+        for (const Segment& s : segments) {
+            if (s.when.contains(t)) return deposit(&s, t, 1.0);
+        }
+        return deposit(none, t, 1.0);
+    }
+    const TimeRange open = intersection(window, exposure);
+    if (open.duration_s() <= 0.0) return;
+    double reached_s = open.begin_s;
+    for (const Segment& s : segments) {
+        const TimeRange seen = intersection(s.when, open);
+        if (seen.duration_s() <= 0.0) continue;
+        detail::deposit_stretch(none, {reached_s, seen.begin_s}, exposure.duration_s(), deposit);
+        detail::deposit_stretch(&s, seen, exposure.duration_s(), deposit);
+        reached_s = seen.end_s;
+    }
+    detail::deposit_stretch(none, {reached_s, open.end_s}, exposure.duration_s(), deposit);
+}
+
+// The same for a tracer that saw instants only: each stands for the whole exposure that it lies in. Exposures are in
+// time order and do not overlap.
+template <class Segment, class Deposit>
+void integrate_instants(std::span<const Segment> instants, std::span<const TimeRange> exposures,
+                        const Deposit& deposit) {
+    std::size_t e = 0;
+    for (const Segment& s : instants) {
+        while (e + 1 < exposures.size() && s.when.begin_s >= exposures[e + 1].begin_s) ++e;
+        deposit(s, e, s.when.begin_s);
+    }
+}
+
+}  // namespace overfly

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/colour.h"
+#include "core/geometry.h"
+#include "geo/frames.h"
+#include "shade/look.h"
+
+namespace overfly {
+
+// Sun, sky and haze over the scene. Light is in units in which white ground under a sun at the zenith is about 1.
+class Daylight {
+  public:
+    explicit Daylight(const Look& look);
+
+    // Towards the sun, a unit vector; the sun is so far that it is the same everywhere in the scene.
+    [[nodiscard]] Vector<Scene> to_sun() const { return to_sun_; }
+    // Irradiance of ground that faces the sun, and of level ground from the whole sky, divided by pi.
+    [[nodiscard]] Rgb sun() const { return sun_; }
+    [[nodiscard]] Rgb sky() const { return sky_; }
+
+    // What is seen along a unit direction where there is no ground. `up` is the camera's own.
+    [[nodiscard]] Rgb background(Vector<Scene> direction, Vector<Scene> up) const;
+
+    // A view of `behind` through `distance_m` of air, between two heights above the scene's ground.
+    struct AirPath {
+        double distance_m = 0.0;
+        double from_height_m = 0.0, to_height_m = 0.0;
+    };
+    [[nodiscard]] Rgb through_air(Rgb behind, const AirPath& path, Vector<Scene> direction) const;
+
+  private:
+    [[nodiscard]] Rgb horizon(Vector<Scene> direction) const;
+
+    Vector<Scene> to_sun_;
+    Rgb sun_, sky_, zenith_, horizon_;
+    Rgb extinction_per_m_;  // of air at the scene's lowest ground, by colour
+};
+
+// Up at a place of the scene: away from the middle of an Earth that is a ball. For skies, not for geodesy.
+[[nodiscard]] Vector<Scene> up_at(Point<Scene> p);
+// Height above that ball, in metres.
+[[nodiscard]] double height_over_ball_m(Point<Scene> p);
+
+}  // namespace overfly

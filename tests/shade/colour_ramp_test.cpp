@@ -1,0 +1,29 @@
+#include "shade/colour_ramp.h"
+
+#include <gtest/gtest.h>
+
+namespace overfly {
+namespace {
+
+TEST(ColourRamp, IsLinearBetweenStopsAndConstantBeyond) {
+    const ColourRamp ramp{{{100, {0, 0, 0}}, {300, {1, 0.5F, 0}}}};
+    EXPECT_EQ(ramp.at(-50), (Rgb{0, 0, 0}));
+    EXPECT_EQ(ramp.at(100), (Rgb{0, 0, 0}));
+    EXPECT_EQ(ramp.at(150), (Rgb{0.25F, 0.125F, 0}));
+    EXPECT_EQ(ramp.at(300), (Rgb{1, 0.5F, 0}));
+    EXPECT_EQ(ramp.at(9000), (Rgb{1, 0.5F, 0}));
+}
+
+TEST(ColourRamp, StepsToTheUpperColour) {
+    const ColourRamp ramp{{{0, {1, 0, 0}}, {10, {1, 0, 0}}, {10, {0, 0, 1}}, {20, {0, 0, 1}}}};
+    EXPECT_EQ(ramp.at(9.999F), (Rgb{1, 0, 0}));
+    EXPECT_EQ(ramp.at(10), (Rgb{0, 0, 1}));
+}
+
+TEST(ColourRamp, OneStopIsOneColour) {
+    const ColourRamp ramp{{{0, {1, 2, 3}}}};
+    for (const float elevation_m : {-1.0F, 0.0F, 1.0F}) EXPECT_EQ(ramp.at(elevation_m), (Rgb{1, 2, 3}));
+}
+
+}  // namespace
+}  // namespace overfly
