@@ -1,0 +1,45 @@
+#include "io/content_hash.h"
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "io/sha256.h"
+
+namespace overfly {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file, int error_number) {
+    throw UserError({file}, "can't be read: " + std::generic_category().message(error_number));
+}
+
+Sha256Digest file_digest(const std::filesystem::path& file) {
+    struct Close {
+        void operator()(std::FILE* stream) const { std::fclose(stream); }
+    };
+    const std::unique_ptr<std::FILE, Close> stream(std::fopen(file.c_str(), "rbe"));
+    if (!stream) fail(file, errno);
+    Sha256 hash;
+    std::vector<std::byte> buffer(std::size_t{1} << 20);
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream.get()))
+        hash.add({buffer.data(), count});
+    if (std::ferror(stream.get()) != 0) fail(file, errno);
+    return hash.digest();
+}
+
+}  // namespace
+
+std::string content_hash(std::span<const std::filesystem::path> files, std::string_view settings) {
+    // Each part has its own digest, so that no byte can move from one part to the next unseen.
+    std::vector<Sha256Digest> parts(files.size() + 1);
+    parallel_for(files.size(), [&](std::size_t i) { parts[i] = file_digest(files[i]); });
+    parts.back() = sha256(std::as_bytes(std::span(settings)));
+    return hex(sha256(std::as_bytes(std::span(parts))));
+}
+
+}  // namespace overfly

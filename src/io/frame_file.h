@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "film/frame.h"
+#include "flight/camera_path.h"
+#include "flight/lens.h"
+#include "flight/shutter.h"
+#include "geo/frames.h"
+
+namespace overfly {
+
+// What a frame's header says beside its pixels.
+struct FrameHeader {
+    int number = 1;
+    double time_s = 0.0;  // of the frame, on the flight's axis
+    FrameRate rate;
+    double exposure_s = 0.0;
+    Angle shutter_angle;
+    CameraPose camera;  // at the middle of the exposure
+    double sensor_width_mm = 36.0;
+    Geodetic camera_place;           // the same camera on the ellipsoid
+    double camera_altitude_m = 0.0;  // above sea level (EGM96)
+    Geodetic scene_origin;
+    std::string software;               // "overfly 0.1.0"
+    std::string shot, terrain, flight;  // file names of the documents, without folders
+    std::string inputs;                 // a hash of all that the pixels were made from
+};
+
+// Writes an OpenEXR file with half R, G, B, A and float Z (ZIP), under a temporary name beside `file`, and renames it
+// into place when it is complete. Standard attributes where there are some (framesPerSecond, expTime, shutterAngle,
+// worldToCamera, worldToNDC, longitude, latitude, altitude, ...), `overfly:` ones for the rest; "world" is the Scene
+// frame. Throws UserError that names the file when it cannot be written (no such folder, no permission, disk full);
+// nothing is left behind.
+// REQUIRES: colours and depths are finite. A colour beyond the range of half (65504) becomes its end.
+void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header);
+
+// Whether `file` is a frame that can be read to its last line.
+[[nodiscard]] bool is_complete_frame(const std::filesystem::path& file);
+
+// The `inputs` that the frame was written with; nothing where the file says none or is no frame at all.
+[[nodiscard]] std::optional<std::string> frame_inputs(const std::filesystem::path& file);
+
+// Reads R, G, B, A and Z back. Throws UserError.
+[[nodiscard]] Frame read_frame(const std::filesystem::path& file);
+
+}  // namespace overfly

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+namespace overfly {
+
+// A name for a file that is being made: hidden, beside the file it will become, and unlike any other process's or
+// machine's that makes the same file. What carries the name is removed with this object unless commit() came first.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(std::filesystem::path target);
+    ~TemporaryFile();
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& target() const { return target_; }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+    // Renames the temporary file to its target, in one step, replacing what was there. Throws UserError.
+    void commit();
+
+  private:
+    std::filesystem::path target_, path_;
+    bool committed_ = false;
+};
+
+}  // namespace overfly
