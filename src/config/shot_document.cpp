@@ -1,0 +1,114 @@
+#include <string>
+
+#include "config/document_file.h"
+#include "config/frame_rate.h"
+#include "config/read.h"
+
+namespace overfly {
+namespace config {
+namespace {
+
+void read_frames(Section& section, FramesDocument& frames) {
+    section.read("first", frames.first, {0, 9'999'999});
+    section.read("count", frames.count, {1, 10'000'000});
+    section.read("start_s", frames.start_s, {-1'000'000, 1'000'000});
+    std::string rate_text;
+    if (!section.read("rate", rate_text, frame_rate_allowed)) return;
+    const std::optional<FrameRate> rate = parse_frame_rate(rate_text);
+    if (!rate) section.refuse("rate", frame_rate_allowed);
+    frames.rate = rate.value_or(FrameRate{});
+}
+
+void read_image(Section& section, ImageDocument& image) {
+    section.read("width", image.width, {1, 65536});
+    section.read("height", image.height, {1, 65536});
+    section.read("transparent_sky", image.transparent_sky);
+}
+
+void read_shutter(Section& section, Shutter& shutter) {
+    static constexpr NamedValue<Shutter::Phase> phases[] = {{"start", Shutter::Phase::Start},
+                                                            {"centre", Shutter::Phase::Centre},
+                                                            {"center", Shutter::Phase::Centre},
+                                                            {"end", Shutter::Phase::End}};
+    section.read("angle_deg", shutter.angle, {0, 360});
+    section.read("phase", shutter.phase, phases);
+}
+
+void read_sampling(Section& section, SamplingDocument& sampling) {
+    static constexpr NamedValue<TracerKind> tracers[] = {{"interval", TracerKind::Interval},
+                                                         {"discrete", TracerKind::Discrete}};
+    section.read("tracer", sampling.tracer, tracers);
+    section.read("lines", sampling.lines, {1, 1024});
+    section.read("samples", sampling.samples, {1, 65536});
+}
+
+void read_look(Section& section, LookDocument& document) {
+    Look& look = document.look;
+    section.read("colours", document.colours, PathTo::File);
+    section.section("sun", [&](Section& sun) {
+        sun.read("azimuth_deg", look.sun_azimuth, {-360, 360});
+        sun.read("elevation_deg", look.sun_elevation, {-5, 90});
+    });
+    section.read("sun_strength", look.sun_strength, {0, 100});
+    section.read("sky_strength", look.sky_strength, {0, 100});
+    double visibility_km = 0.0;
+    if (section.read("visibility_km", visibility_km, {0, 100'000})) look.visibility_m = 1000.0 * visibility_km;
+    section.read("exposure_stops", look.exposure_stops, {-20, 20});
+}
+
+void read_output(Section& section, OutputDocument& output) {
+    section.read("folder", output.folder, PathTo::Folder);
+    std::string name = output.name;
+    if (section.read("name", name)) {
+        const bool file_name = name.find('/') == std::string::npos && name.find('\0') == std::string::npos;
+        if (file_name && name != "." && name != "..") {
+            output.name = name;
+        } else {
+            section.refuse("name", "a file name without folders");
+        }
+    }
+    section.read("contact_sheet", output.contact_sheet);
+    section.read("movie", output.movie);
+}
+
+}  // namespace
+
+void read_shot(Section& document, ShotDocument& shot) {
+    document.require({"terrain", "flight"});
+    document.read("terrain", shot.terrain.file, PathTo::File);
+    document.read("flight", shot.flight.file, PathTo::File);
+    document.section("frames", [&](Section& s) { read_frames(s, shot.frames); });
+    document.section("image", [&](Section& s) { read_image(s, shot.image); });
+    document.section("shutter", [&](Section& s) { read_shutter(s, shot.shutter); });
+    document.section("sampling", [&](Section& s) { read_sampling(s, shot.sampling); });
+    document.section("look", [&](Section& s) { read_look(s, shot.look); });
+    document.section("output", [&](Section& s) { read_output(s, shot.output); });
+    document.section("motion", [&](Section& s) { s.read("bound_px", shot.motion_bound_px, Range::above(0, 1)); });
+}
+
+}  // namespace config
+
+ShotDocument read_shot_document(const std::filesystem::path& file, std::span<const std::string> overrides) {
+    config::Findings findings;
+    std::vector<config::Override> own = config::parse_overrides(overrides, findings.problems);
+    const std::vector<config::Override> of_terrain = take_overrides_inside("terrain", own);
+    const std::vector<config::Override> of_flight = take_overrides_inside("flight", own);
+
+    ShotDocument shot;
+    shot.file = file;
+    shot.output.folder = std::filesystem::path("out") / file.stem();
+    shot.output.name = file.stem().string();
+    read_document(file, own, findings, [&](config::Section& document) { read_shot(document, shot); });
+    if (!shot.terrain.file.empty()) {
+        read_document(shot.terrain.file, of_terrain, findings,
+                      [&](config::Section& document) { read_terrain(document, shot.terrain); });
+    }
+    if (!shot.flight.file.empty()) {
+        read_document(shot.flight.file, of_flight, findings,
+                      [&](config::Section& document) { read_flight(document, shot.flight); });
+    }
+    finish(findings);
+    return shot;
+}
+
+}  // namespace overfly

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include "config/read.h"
+#include "config/sample_documents.h"
+
+namespace overfly {
+namespace {
+
+using namespace config_tests;
+
+TEST(ReadShotDocument, ReadsEveryKey) {
+    const ShotDocument shot = read_shot_document(good_folder / "shot.yaml");
+    EXPECT_EQ(shot.terrain.file, good_folder / "terrain.yaml");
+    EXPECT_EQ(shot.terrain.source, read_terrain_document(good_folder / "terrain.yaml").source);
+    EXPECT_EQ(shot.flight.keyframes, read_flight_document(good_folder / "flight.yaml").keyframes);
+    EXPECT_EQ(shot.frames.first, 101);
+    EXPECT_EQ(shot.frames.count, 48);
+    EXPECT_EQ(shot.frames.rate, (FrameRate{24000, 1001}));
+    EXPECT_EQ(shot.frames.start_s, 0.5);
+    EXPECT_EQ(shot.image.width, 640);
+    EXPECT_EQ(shot.image.height, 360);
+    EXPECT_TRUE(shot.image.transparent_sky);
+    EXPECT_EQ(shot.shutter, (Shutter{Angle::degrees(270), Shutter::Phase::Start}));
+    EXPECT_EQ(shot.sampling.tracer, TracerKind::Discrete);
+    EXPECT_EQ(shot.sampling.lines, 8);
+    EXPECT_EQ(shot.sampling.samples, 128);
+    EXPECT_EQ(shot.look.colours, good_folder / "shot.yaml");
+    const Look look{.sun_azimuth = Angle::degrees(120),
+                    .sun_elevation = Angle::degrees(20),
+                    .sun_strength = 0.9,
+                    .sky_strength = 1.1,
+                    .visibility_m = 80'000.0,
+                    .exposure_stops = -0.5};
+    EXPECT_EQ(shot.look.look, look);
+    EXPECT_EQ(shot.output.folder, good_folder / "frames");
+    EXPECT_EQ(shot.output.name, "blanca");
+    EXPECT_FALSE(shot.output.contact_sheet);
+    EXPECT_FALSE(shot.output.movie);
+    EXPECT_EQ(shot.motion_bound_px, 0.05);
+}
+
+TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
+    const ShotDocument shot = read_shot_document(good_folder / "smallest_shot.yaml");
+    EXPECT_EQ(shot.frames.first, 1);
+    EXPECT_EQ(shot.frames.count, std::nullopt);
+    EXPECT_EQ(shot.frames.rate, (FrameRate{24, 1}));
+    EXPECT_EQ(shot.image.width, 960);
+    EXPECT_EQ(shot.image.height, 540);
+    EXPECT_EQ(shot.shutter, Shutter{});
+    EXPECT_EQ(shot.sampling.tracer, TracerKind::Interval);
+    EXPECT_EQ(shot.look.look, Look{});
+    EXPECT_TRUE(shot.look.colours.empty());
+    EXPECT_EQ(shot.output.folder, "out/smallest_shot");
+    EXPECT_EQ(shot.output.name, "smallest_shot");
+    EXPECT_EQ(shot.motion_bound_px, 0.01);
+}
+
+TEST(ReadShotDocument, TakesAnEmptySectionForOneOfDefaults) {
+    const ShotDocument shot =
+        read_shot_document(good_folder / "smallest_shot.yaml", std::vector<std::string>{"image=", "look.sun={}"});
+    EXPECT_EQ(shot.image.width, 960);
+    EXPECT_EQ(shot.look.look, Look{});
+}
+
+TEST(ReadShotDocument, KnowsBothSpellingsOfTheMiddle) {
+    for (const std::string word : {"centre", "center"}) {
+        const std::vector<std::string> overrides = {"shutter.phase=" + word};
+        EXPECT_EQ(read_shot_document(good_folder / "shot.yaml", overrides).shutter.phase, Shutter::Phase::Centre);
+    }
+}
+
+TEST(ReadBatchDocument, ListsShotsFromItsOwnFolder) {
+    const BatchDocument batch = read_batch_document(good_folder / "batch.yaml");
+    EXPECT_EQ(batch.shots, (std::vector{good_folder / "shot.yaml", good_folder / "smallest_shot.yaml"}));
+}
+
+}  // namespace
+}  // namespace overfly
