@@ -1,0 +1,56 @@
+#include <optional>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/render_json.h"
+#include "app/shot_arguments.h"
+#include "app/stop_signal.h"
+#include "app/verbs.h"
+#include "config/read.h"
+#include "shot/prepare_scene.h"
+#include "shot/render_shot.h"
+
+namespace overfly {
+namespace {
+
+struct Arguments {
+    std::string shot, frames;
+    ShotArguments overrides;
+};
+
+void summarise(Console& console, const RenderResult& r) {
+    console.say(fmt::format("{}: {} of {} frames rendered, {} kept, in {:.1f} s", r.folder.string(), r.frames_rendered,
+                            r.frames_wanted, r.frames_kept, r.total_s));
+    if (!r.previews.contact_sheet.empty())
+        console.say(fmt::format("contact sheet: {}", r.previews.contact_sheet.string()));
+    if (!r.previews.movie.empty()) console.say(fmt::format("preview movie: {}", r.previews.movie.string()));
+}
+
+int run_render(const Arguments& arguments, const CommonOptions& common) {
+    Console console(common);
+    const ShotDocument shot = read_shot_document(arguments.shot, arguments.overrides.assignments());
+    RenderOptions options;
+    options.frames = arguments.frames;
+    options.cache_folder = default_cache_folder();
+    options.progress = console.progress();
+    options.say = [&](const std::string& line) { console.say(line); };
+    options.should_stop = stop_was_asked;
+    const RenderResult result = render_shot(shot, options);
+    summarise(console, result);
+    if (common.json) fmt::print("{}\n", render_json(result).dump(2));
+    return kDone;
+}
+
+}  // namespace
+
+RunVerb add_render(CLI::App& verb) {
+    const auto arguments = std::make_shared<Arguments>();
+    verb.add_option("shot", arguments->shot, "the shot document, configs/NAME.yaml")->required();
+    verb.add_option("--frames", arguments->frames, "which frames: 10-20, 1-100:5, 1,5,9 (all)");
+    arguments->overrides.add_to(verb);
+    return [arguments](const CommonOptions& common) { return run_render(*arguments, common); };
+}
+
+}  // namespace overfly

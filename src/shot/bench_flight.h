@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+
+#include "config/documents.h"
+#include "core/progress.h"
+#include "trace/agreement.h"
+
+namespace overfly {
+
+struct BenchOptions {
+    long agreement_pairs = 200'000;
+    std::filesystem::path cache_folder;
+    Progress progress;
+};
+
+// One tracer at one visibility sample per pixel and frame, no shading, on one thread.
+struct TracerTiming {
+    double ns_per_pixel_frame = 0.0;
+    TraceCounters counters;
+};
+
+struct BenchResult {
+    int width = 0, height = 0, frames = 0;
+    std::size_t triangles = 0;
+    TracerTiming discrete, interval;
+    Agreement agreement;
+};
+
+// Both tracers at the same work in one process: pieces spread evenly over the shot, on every fourth tile of the
+// picture, each piece by one tracer and then by the other, so that a change of the machine's speed meets both.
+[[nodiscard]] BenchResult bench_flight(const ShotDocument& shot, const BenchOptions& options);
+
+}  // namespace overfly

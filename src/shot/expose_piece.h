@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "film/film_frame.h"
+#include "flight/motion.h"
+#include "shot/frame_plan.h"
+#include "shot/interrupted.h"
+#include "shot/pixel_tile.h"
+#include "shot/scene_shader.h"
+#include "trace/tracer.h"
+
+namespace overfly {
+
+// What exposing film takes.
+struct Exposing {
+    const Tracer& tracer;
+    const SceneShader& shader;
+    PictureSize size;
+    int samples_per_pixel = 1;
+    ShouldStop should_stop;
+};
+
+// Told after each tile of a piece: which share of it is done.
+using PieceProgress = std::function<void(double share)>;
+
+// Traces one piece of the flight and adds what is seen to the frames that are exposed meanwhile.
+// frames and films go together; exposures in time order and without overlap. Throws Interrupted when asked to stop.
+// GUARANTEES: a film's pixels are the same to the bit whichever other frames are exposed with it, in whatever tile
+// order.
+void expose_piece(const Exposing& exposing, const MotionPiece& piece, std::span<const PlannedFrame> frames,
+                  std::span<FilmFrame* const> films, TraceCounters& counters, const PieceProgress& progress = {});
+
+// Whether the frame's shutter is open at any time of the piece (its end excluded).
+[[nodiscard]] bool is_exposed_in(const PlannedFrame& frame, const MotionPiece& piece);
+
+}  // namespace overfly

@@ -1,0 +1,46 @@
+#include "shot/pixel_tile.h"
+
+#include <algorithm>
+
+#include "core/low_discrepancy.h"
+
+namespace overfly {
+namespace {
+
+constexpr int kBlockSide_px = 4;  // of a packet of sixteen rays
+
+}  // namespace
+
+std::vector<PixelTile> tiles_of(PictureSize size) {
+    std::vector<PixelTile> tiles;
+    for (int top = 0; top < size.height; top += kTileSide_px) {
+        for (int left = 0; left < size.width; left += kTileSide_px) {
+            tiles.push_back(
+                {left, top, std::min(left + kTileSide_px, size.width), std::min(top + kTileSide_px, size.height)});
+        }
+    }
+    return tiles;
+}
+
+TileSamples samples_of(const PixelTile& tile, PictureSize size, int per_pixel) {
+    TileSamples out;
+    const auto add = [&](int x, int y, int i) {
+        const auto pixel =
+            static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(size.width) + static_cast<std::uint32_t>(x);
+        const auto p = low_discrepancy_point(pixel, static_cast<std::uint32_t>(i));
+        out.samples.push_back({size.film_x(x + p[0]), size.film_y(y + p[1]), p[2]});
+        out.pixels.push_back(pixel);
+    };
+    for (int top = tile.top; top < tile.bottom; top += kBlockSide_px) {
+        for (int left = tile.left; left < tile.right; left += kBlockSide_px) {
+            for (int i = 0; i < per_pixel; ++i) {
+                for (int y = top; y < std::min(top + kBlockSide_px, tile.bottom); ++y) {
+                    for (int x = left; x < std::min(left + kBlockSide_px, tile.right); ++x) add(x, y, i);
+                }
+            }
+        }
+    }
+    return out;
+}
+
+}  // namespace overfly

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "config/documents.h"
+#include "core/progress.h"
+#include "shot/frame_plan.h"
+
+namespace overfly {
+
+struct Previews {
+    std::filesystem::path contact_sheet, movie;  // empty where the shot wants none
+};
+
+// A contact sheet (NAME.contact.png) and a movie (NAME.mp4) of those frames of the shot that are on disk. One that
+// exists is kept unless `frames_changed`. Throws UserError.
+[[nodiscard]] Previews make_previews(const ShotDocument& shot, std::span<const PlannedFrame> frames,
+                                     bool frames_changed, const Progress& progress);
+
+}  // namespace overfly

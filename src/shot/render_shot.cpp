@@ -1,0 +1,239 @@
+#include "shot/render_shot.h"
+
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "core/version.h"
+#include "io/colour_relief_file.h"
+#include "io/frame_file.h"
+#include "shade/hypsometric.h"
+#include "shot/expose_piece.h"
+#include "shot/previews.h"
+#include "shot/shot_inputs.h"
+#include "shot/shot_motion.h"
+#include "shot/stage.h"
+
+namespace overfly {
+namespace {
+
+class Stopwatch {
+  public:
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw UserError({folder}, fmt::format("output.folder: can't be made: {}", error.message()));
+}
+
+ColourRamp colours_of(const ShotDocument& shot, const Stage& stage) {
+    const auto& heights = stage.mesh().elevation_m;
+    const auto [lowest, highest] = std::ranges::minmax_element(heights);
+    if (shot.look.colours.empty()) return hypsometric_ramp(*lowest, *highest);
+    return colour_ramp(read_colour_relief(shot.look.colours),
+                       {static_cast<double>(*lowest), static_cast<double>(*highest)});
+}
+
+struct Rendering {
+    const ShotDocument& shot;
+    const RenderOptions& options;
+    RenderResult result{};
+
+    void say(const std::string& text) const {
+        if (options.say) options.say(text);
+    }
+};
+
+// Frames in the order of time, rendered piece by piece of the flight; each is written as soon as its shutter has
+// closed.
+class FrameLoop {
+  public:
+    FrameLoop(Rendering& rendering, const Stage& stage, const CameraPath& path, const Motion& motion,
+              std::string inputs)
+        : rendering_(&rendering), stage_(&stage), path_(&path), motion_(&motion), inputs_(std::move(inputs)) {}
+
+    void run(const Exposing& exposing, std::span<const PlannedFrame> frames) {
+        total_ = static_cast<double>(frames.size());
+        std::size_t next = 0;  // the first frame whose shutter has not opened yet
+        for (const MotionPiece& piece : motion_->pieces) {
+            while (next < frames.size() && is_exposed_in(frames[next], piece)) {
+                open_.push_back({frames[next++], FilmFrame(exposing.size.width, exposing.size.height)});
+            }
+            if (open_.empty()) continue;
+            expose(exposing, piece);
+            write_closed(piece.when.end_s);
+        }
+        check(open_.empty() && next == frames.size(), "every frame's exposure lies within the motion");
+    }
+
+  private:
+    struct OpenFrame {
+        PlannedFrame frame;
+        FilmFrame film;
+    };
+
+    void expose(const Exposing& exposing, const MotionPiece& piece) {
+        const Stopwatch watch;
+        std::vector<PlannedFrame> frames;
+        std::vector<FilmFrame*> films;
+        for (OpenFrame& open : open_) {
+            frames.push_back(open.frame);
+            films.push_back(&open.film);
+        }
+        const auto closing = static_cast<double>(
+            std::ranges::count_if(frames, [&](const PlannedFrame& f) { return f.exposure.end_s <= piece.when.end_s; }));
+        const auto progress = [&](double share) {
+            if (rendering_->options.progress)
+                rendering_->options.progress("rendering", done_ + share * closing, total_);
+        };
+        expose_piece(exposing, piece, frames, films, rendering_->result.counters, progress);
+        rendering_->result.trace_s += watch.seconds();
+    }
+
+    void write_closed(double until_s) {
+        const Stopwatch watch;
+        const auto still_open = std::ranges::stable_partition(
+            open_, [&](const OpenFrame& open) { return open.frame.exposure.end_s <= until_s; });
+        std::vector<OpenFrame> closed(std::make_move_iterator(open_.begin()),
+                                      std::make_move_iterator(still_open.begin()));
+        open_.erase(open_.begin(), still_open.begin());
+        parallel_for(closed.size(), [&](std::size_t i) {
+            write_frame(closed[i].frame.file, std::move(closed[i].film).develop(), header_of(closed[i].frame));
+        });
+        done_ += static_cast<double>(closed.size());
+        rendering_->result.frames_rendered += static_cast<int>(closed.size());
+        rendering_->result.write_s += watch.seconds();
+    }
+
+    [[nodiscard]] FrameHeader header_of(const PlannedFrame& frame) const {
+        const ShotDocument& shot = rendering_->shot;
+        const double time_s = frame.exposure.centre_s();
+        FrameHeader header;
+        header.number = frame.number;
+        header.time_s = frame.time_s;
+        header.rate = shot.frames.rate;
+        header.exposure_s = frame.exposure.duration_s();
+        header.shutter_angle = shot.shutter.angle;
+        header.camera = path_->pose_at(time_s);
+        header.sensor_width_mm = shot.flight.keyframes.front().lens.sensor_width_mm;
+        header.camera_place = path_->place_at(time_s);
+        header.camera_altitude_m =
+            header.camera_place.height_m - stage_->sea_level_m(header.camera_place.lon, header.camera_place.lat);
+        header.scene_origin = stage_->frame().origin();
+        header.software = fmt::format("overfly {}", kVersion);
+        header.shot = shot.file.filename().string();
+        header.terrain = shot.terrain.file.filename().string();
+        header.flight = shot.flight.file.filename().string();
+        header.inputs = inputs_;
+        return header;
+    }
+
+    Rendering* rendering_;
+    const Stage* stage_;
+    const CameraPath* path_;
+    const Motion* motion_;
+    std::string inputs_;
+    std::vector<OpenFrame> open_;
+    double done_ = 0.0, total_ = 0.0;
+};
+
+// The frames that are missing on disk, incomplete, or were made from other inputs.
+std::vector<PlannedFrame> frames_to_render(Rendering& rendering, const std::vector<PlannedFrame>& wanted,
+                                           const std::string& inputs) {
+    enum class State : std::uint8_t { Missing, Outdated, Complete };
+    std::vector<State> states(wanted.size(), State::Missing);
+    parallel_for(wanted.size(), [&](std::size_t i) {
+        const std::filesystem::path& file = wanted[i].file;
+        if (!std::filesystem::exists(file) || !is_complete_frame(file)) return;
+        states[i] = frame_inputs(file) == inputs ? State::Complete : State::Outdated;
+    });
+    std::vector<PlannedFrame> missing;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (states[i] != State::Complete) missing.push_back(wanted[i]);
+    }
+    const auto outdated = std::ranges::count(states, State::Outdated);
+    rendering.result.frames_kept = static_cast<int>(wanted.size() - missing.size());
+    if (rendering.result.frames_kept > 0) {
+        rendering.say(fmt::format("{} frames are complete already", rendering.result.frames_kept));
+    }
+    if (outdated > 0) {
+        rendering.say(fmt::format("{} frames are of an earlier version of the shot and are rendered again", outdated));
+    }
+    return missing;
+}
+
+Tracer make_tracer(TracerKind kind, const Stage& stage) {
+    if (kind == TracerKind::Discrete) return DiscreteTracer(stage.rays());
+    return IntervalTracer(stage.mesh());
+}
+
+void render_frames(Rendering& rendering, const Stage& stage, const CameraPath& path, const Motion& motion,
+                   const std::vector<PlannedFrame>& frames, const std::string& inputs) {
+    const ShotDocument& shot = rendering.shot;
+    const Stopwatch light_watch;
+    const Daylight daylight(shot.look.look);
+    const auto is_blocked = [&](Point<Scene> from, Vector<Scene> direction) {
+        return stage.rays().is_blocked(from, direction);
+    };
+    const GroundLight light =
+        light_ground(stage.mesh(), colours_of(shot, stage), daylight, is_blocked, rendering.options.progress);
+    rendering.result.light_s = light_watch.seconds();
+    const Tracer tracer = make_tracer(shot.sampling.tracer, stage);
+    const SceneShader shader(stage.mesh(), light, daylight, shot.image.transparent_sky);
+    const int per_pixel = shot.sampling.tracer == TracerKind::Discrete ? shot.sampling.samples : shot.sampling.lines;
+    const Exposing exposing = {
+        tracer, shader, {shot.image.width, shot.image.height}, per_pixel, rendering.options.should_stop};
+    FrameLoop(rendering, stage, path, motion, inputs).run(exposing, frames);
+}
+
+std::vector<PlannedFrame> chosen(const std::vector<PlannedFrame>& frames, const std::string& choice) {
+    if (choice.empty()) return frames;
+    std::vector<PlannedFrame> out;
+    for (const int number : parse_frame_range(choice, {frames.front().number, frames.back().number})) {
+        out.push_back(frames[static_cast<std::size_t>(number - frames.front().number)]);
+    }
+    return out;
+}
+
+}  // namespace
+
+RenderResult render_shot(const ShotDocument& shot, const RenderOptions& options) {
+    const Stopwatch watch;
+    Rendering rendering{shot, options};
+    RenderResult& result = rendering.result;
+    const Stage stage(prepare_terrain(shot.terrain, options.cache_folder, options.progress), middle_of(shot.flight));
+    result.prepare_s = watch.seconds();
+    const CameraPath path = make_path(shot.flight, stage);
+    const std::vector<PlannedFrame> frames = plan_frames(shot, path.times());
+    const std::vector<PlannedFrame> wanted = chosen(frames, options.frames);
+    result.frames_in_shot = static_cast<int>(frames.size());
+    result.frames_wanted = static_cast<int>(wanted.size());
+    result.folder = shot.output.folder;
+    make_folder(shot.output.folder);
+    const std::string inputs = shot_inputs_hash(shot, stage.terrain().scene.content_hash);
+    const std::vector<PlannedFrame> missing = frames_to_render(rendering, wanted, inputs);
+    if (!missing.empty()) {
+        const Motion motion = shot_motion(shot, path, frames, stage);
+        result.motion_pieces = motion.pieces.size();
+        result.motion_error_px = motion.largest_error_px;
+        render_frames(rendering, stage, path, motion, missing, inputs);
+    }
+    const Stopwatch preview_watch;
+    result.previews = make_previews(shot, frames, result.frames_rendered > 0, options.progress);
+    result.preview_s = preview_watch.seconds();
+    result.total_s = watch.seconds();
+    return result;
+}
+
+}  // namespace overfly

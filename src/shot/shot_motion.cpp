@@ -1,0 +1,27 @@
+#include "shot/shot_motion.h"
+
+namespace overfly {
+namespace {
+
+// A piece is traced in one go. Long ones spread the cost of a walk over many frames, short ones sweep less ground
+// and keep fewer frames open.
+constexpr double kLongestPiece_frames = 4.0;
+
+}  // namespace
+
+Motion shot_motion(const ShotDocument& shot, const CameraPath& path, std::span<const PlannedFrame> frames,
+                   const Stage& stage) {
+    const double frame_s = 1.0 / shot.frames.rate.per_s();
+    TimeRange when = exposed_times(frames);
+    // Pieces exclude their end, and an exposure may be an instant.
+    if (when.duration_s() < frame_s * static_cast<double>(frames.size()))
+        when.end_s = when.begin_s + frame_s * static_cast<double>(frames.size());
+    MotionOptions options;
+    options.bound_px = shot.motion_bound_px;
+    options.width_px = shot.image.width;
+    options.height_px = shot.image.height;
+    options.longest_piece_s = kLongestPiece_frames * frame_s;
+    return fit_motion(path, when, stage.surroundings(), options);
+}
+
+}  // namespace overfly
