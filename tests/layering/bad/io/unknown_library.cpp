@@ -1,0 +1,3 @@
+#include <boost/any.hpp>
+
+#include "shot/render.h"

@@ -1,0 +1,3 @@
+#include <embree3/rtcore.h>
+#include <gdal_priv.h>
+#include <oneapi/tbb/task_group.h>

@@ -1,0 +1,51 @@
+# The arrows of src/ (docs/architecture.md). A module may include itself and what is on a lower level; a library is
+# included by the .cpp files of its one module only, so that no header depends on it.
+
+BEGIN {
+    split("core=0 geo=1 terrain=2 flight=2 trace=3 shade=3 film=3 io=4 config=4 shot=5 app=6", levels, " ")
+    for (i in levels) { split(levels[i], pair, "="); level[pair[1]] = pair[2] }
+
+    home["^(gdal|ogr|cpl|vrt)[a-z_]*[.]h$"] = "io"
+    home["^(OpenEXR|Imath)/"] = "io"
+    home["^OpenImageIO/"] = "io"
+    home["^openssl/"] = "io"
+    home["^GeographicLib/"] = "geo"
+    home["^yaml-cpp/"] = "config"
+    home["^embree3/"] = "trace"
+    home["^hwy/"] = "trace"
+    home["^(oneapi/)?tbb/"] = "core"
+    home["^CLI/"] = "app"
+    home["^nlohmann/"] = "app"
+    home["^fmt/"] = "any"
+    home["^(sys/|(unistd|fcntl|spawn|signal|stdlib)[.]h$)"] = "any"  # POSIX
+}
+
+function complain(what) { print FILENAME ":" FNR ": " what; bad = 1 }
+
+FNR == 1 {
+    split(FILENAME, parts, "/")
+    module = parts[1]
+    is_header = FILENAME ~ /[.]h$/
+    if (!(module in level)) complain("unknown module " module)
+}
+
+/^[ \t]*#[ \t]*include[ \t]*["<]/ {
+    name = $0
+    sub(/^[^"<]*["<]/, "", name)
+    sub(/[">].*$/, "", name)
+    if (name !~ /[.\/]/) next  # the standard library
+
+    folder = name
+    sub(/\/.*$/, "", folder)
+    if (folder in level) {
+        if (folder != module && level[folder] >= level[module]) complain(module " may not include " name)
+        next
+    }
+    where = ""
+    for (pattern in home) if (name ~ pattern) where = home[pattern]
+    if (where == "") complain("unknown header " name)
+    else if (is_header && name !~ /_fwd[.]hpp$/) complain(name " belongs into .cpp files")
+    else if (where != "any" && where != module) complain(name " belongs into " where)
+}
+
+END { exit bad }
