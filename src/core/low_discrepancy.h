@@ -71,17 +71,31 @@ inline constexpr std::array<std::array<std::uint32_t, 32>, 2> kDirections = {dir
     return x;
 }
 
-// The index-th point in [0, 1)^3. The order of the points is scrambled too, so that seeds are independent of each
-// other.
-[[nodiscard]] constexpr std::array<double, 3> low_discrepancy_point(std::uint64_t seed, std::uint32_t index) {
-    const std::uint64_t s = mixed(seed);
-    const std::uint32_t shuffled = owen_scrambled(index, static_cast<std::uint32_t>(s));
-    std::array<double, 3> point{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto axis_seed = static_cast<std::uint32_t>(mixed(s + k + 1));
-        point[k] = 0x1p-32 * owen_scrambled(sobol(shuffled, k), axis_seed);
+// How the axes are scrambled, by seed. Seeds that differ give sets that are independent of each other.
+struct AxisScramble {
+    std::array<std::uint32_t, 3> seed{};
+
+    constexpr explicit AxisScramble(std::uint64_t of = 0) {
+        const std::uint64_t s = mixed(of);
+        for (std::size_t k = 0; k < 3; ++k) seed[k] = static_cast<std::uint32_t>(mixed(s + k + 1));
     }
-    return point;
+};
+
+// A point of the sequence before scrambling, the same for all seeds.
+using SobolPoint = std::array<std::uint32_t, 3>;
+
+[[nodiscard]] constexpr SobolPoint sobol_point(std::uint32_t index) {
+    return {sobol(index, 0), sobol(index, 1), sobol(index, 2)};
+}
+
+// Its place in [0, 1)^3.
+[[nodiscard]] constexpr std::array<double, 3> scrambled(const SobolPoint& point, const AxisScramble& scramble) {
+    return {0x1p-32 * owen_scrambled(point[0], scramble.seed[0]), 0x1p-32 * owen_scrambled(point[1], scramble.seed[1]),
+            0x1p-32 * owen_scrambled(point[2], scramble.seed[2])};
+}
+
+[[nodiscard]] constexpr std::array<double, 3> low_discrepancy_point(std::uint64_t seed, std::uint32_t index) {
+    return scrambled(sobol_point(index), AxisScramble(seed));
 }
 
 }  // namespace overfly

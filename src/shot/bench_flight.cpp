@@ -1,7 +1,6 @@
 #include "shot/bench_flight.h"
 
-#include <chrono>
-#include <cmath>
+#include <ctime>
 
 #include "shot/expose_piece.h"
 #include "shot/shot_motion.h"
@@ -25,15 +24,22 @@ struct Work {
     }
 };
 
+// Of this thread alone, so that a busy machine does not count.
+double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 template <class AnyTracer>
 double seconds_of(const AnyTracer& tracer, const Work& work, TraceCounters& counters) {
     SegmentLists lists;
-    const auto start = std::chrono::steady_clock::now();
+    const double start_s = processor_seconds();
     for (const TileSamples& tile : work.tiles) {
         lists.clear();
         tracer.trace(work.piece, tile.samples, work.exposures, lists, counters);
     }
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return processor_seconds() - start_s;
 }
 
 std::vector<TileSamples> some_tiles(PictureSize size) {

@@ -23,19 +23,29 @@ std::vector<PixelTile> tiles_of(PictureSize size) {
 }
 
 TileSamples samples_of(const PixelTile& tile, PictureSize size, int per_pixel) {
-    TileSamples out;
-    const auto add = [&](int x, int y, int i) {
-        const auto pixel =
-            static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(size.width) + static_cast<std::uint32_t>(x);
-        const auto p = low_discrepancy_point(pixel, static_cast<std::uint32_t>(i));
-        out.samples.push_back({size.film_x(x + p[0]), size.film_y(y + p[1]), p[2]});
-        out.pixels.push_back(pixel);
+    std::vector<SobolPoint> points;
+    for (int i = 0; i < per_pixel; ++i) points.push_back(sobol_point(static_cast<std::uint32_t>(i)));
+    struct Pixel {
+        int x, y;
+        std::uint32_t index;
+        AxisScramble scramble;
     };
+    TileSamples out;
+    std::vector<Pixel> block;
     for (int top = tile.top; top < tile.bottom; top += kBlockSide_px) {
         for (int left = tile.left; left < tile.right; left += kBlockSide_px) {
-            for (int i = 0; i < per_pixel; ++i) {
-                for (int y = top; y < std::min(top + kBlockSide_px, tile.bottom); ++y) {
-                    for (int x = left; x < std::min(left + kBlockSide_px, tile.right); ++x) add(x, y, i);
+            block.clear();
+            for (int y = top; y < std::min(top + kBlockSide_px, tile.bottom); ++y) {
+                for (int x = left; x < std::min(left + kBlockSide_px, tile.right); ++x) {
+                    const auto index = static_cast<std::uint32_t>(y * size.width + x);
+                    block.push_back({x, y, index, AxisScramble(index)});
+                }
+            }
+            for (const SobolPoint& point : points) {
+                for (const Pixel& pixel : block) {
+                    const auto p = scrambled(point, pixel.scramble);
+                    out.samples.push_back({size.film_x(pixel.x + p[0]), size.film_y(pixel.y + p[1]), p[2]});
+                    out.pixels.push_back(pixel.index);
                 }
             }
         }

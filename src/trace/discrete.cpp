@@ -13,10 +13,10 @@ namespace {
 
 // Embree decides sides from float coordinates relative to the ray's origin: its edge values are off by a few roundings
 // of the distance. 16 of them, as an angle; four times the largest disagreement with double seen on the sample terrain.
-constexpr double kFloatAngle = 16.0 * 0x1p-24;
+constexpr float kFloatAngle = 0x1p-20F;
 
 // Vertices and the ray's origin are rounded to float relative to the float centre.
-constexpr double kFloatPlace = 2.0 * 0x1p-24;
+constexpr float kFloatPlace = 0x1p-23F;
 
 // After a fold or a border was decided against, the ray goes on just behind it.
 constexpr double kBehind = 1.0 + 1e-6;
@@ -76,68 +76,87 @@ class Decision {
     const Line* line_;
 };
 
-// Whether lane `i` hit so near an edge that its float decision may be wrong. Barycentric coordinate times twice the
-// projected area is the distance to an edge times the edge's projected length, which is at most the longest side.
-bool is_doubtful(const RayPacket& p, std::size_t i, double longest_side_m) {
-    const double dx = static_cast<double>(p.direction_x[i]);
-    const double dy = static_cast<double>(p.direction_y[i]);
-    const double dz = static_cast<double>(p.direction_z[i]);
-    const double along = std::abs(static_cast<double>(p.normal_x[i]) * dx + static_cast<double>(p.normal_y[i]) * dy +
-                                  static_cast<double>(p.normal_z[i]) * dz);
-    const double direction_length = std::sqrt(dx * dx + dy * dy + dz * dz);
-    const double distance_m = static_cast<double>(p.depth[i]) * direction_length;
-    const double from_centre_m = distance_m + std::abs(static_cast<double>(p.origin_x[i])) +
-                                 std::abs(static_cast<double>(p.origin_y[i])) +
-                                 std::abs(static_cast<double>(p.origin_z[i]));
-    const double doubt_m = kFloatAngle * distance_m + kFloatPlace * from_centre_m;
-    const auto u = static_cast<double>(p.u[i]);
-    const auto v = static_cast<double>(p.v[i]);
-    const double least = std::min({u, v, 1.0 - u - v});
-    return least * along < doubt_m * longest_side_m * direction_length;
-}
+// A packet being filled, and the rules that all of its rays share. Its loops over all lanes are written for the
+// compiler to vectorise: around Embree they would otherwise cost as much as its search.
+class Batch {
+  public:
+    Batch(const RayScene& scene, const MotionPiece& piece, std::span<const ImageSample> samples)
+        : scene_(&scene), piece_(&piece), samples_(samples), per_s_(1.0 / piece.when.duration_s()) {}
 
-// A packet being filled, and the rules that all of its rays share.
-struct Batch {
-    const RayScene& scene;
-    const MotionPiece& piece;
-    std::span<const ImageSample> samples;
-    RayPacket packet{};
-    std::array<Lane, RayPacket::kSize> lanes{};
-    std::size_t count = 0;
+    [[nodiscard]] bool is_full() const { return count_ == RayPacket::kSize; }
 
     void add(std::size_t sample, double time_s) {
-        const double u = piece.u_at(time_s);
-        const Vector<Scene> o = piece.origin_at(u) - scene.float_centre();
-        const Vector<Scene> d = piece.direction_at(u, samples[sample].x, samples[sample].y);
-        packet.origin_x[count] = static_cast<float>(o.x);
-        packet.origin_y[count] = static_cast<float>(o.y);
-        packet.origin_z[count] = static_cast<float>(o.z);
-        packet.direction_x[count] = static_cast<float>(d.x);
-        packet.direction_y[count] = static_cast<float>(d.y);
-        packet.direction_z[count] = static_cast<float>(d.z);
-        packet.valid[count] = -1;
-        lanes[count++] = {sample, time_s};
+        x_[count_] = samples_[sample].x;
+        y_[count_] = samples_[sample].y;
+        u_[count_] = (time_s - piece_->when.begin_s) * per_s_;
+        lanes_[count_++] = {sample, time_s};
     }
 
     // Calls found(sample, time, triangle) for every lane, with kNone where it sees the sky, and empties the packet.
     template <class Found>
     void trace(const Found& found, TraceCounters& counters) {
-        if (count == 0) return;
-        for (std::size_t i = count; i < RayPacket::kSize; ++i) packet.valid[i] = 0;
-        scene.first_hits(packet);
-        counters.rays += count;
-        for (std::size_t i = 0; i < count; ++i) {
-            TriangleId triangle = packet.triangle[i];
-            if (triangle != kNone && is_doubtful(packet, i, scene.longest_side_m())) {
+        if (count_ == 0) return;
+        aim();
+        scene_->first_hits(packet_);
+        mark_doubtful();
+        counters.rays += count_;
+        for (std::size_t i = 0; i < count_; ++i) {
+            TriangleId triangle = packet_.triangle[i];
+            if (triangle != kNone && doubtful_[i] != 0) {
                 ++counters.resolved;
-                const ImageSample& s = samples[lanes[i].sample];
-                triangle = Decision(scene, line_at(piece, s.x, s.y, lanes[i].time_s)).decide(triangle);
+                const Line line = line_at(*piece_, x_[i], y_[i], lanes_[i].time_s);
+                triangle = Decision(*scene_, line).decide(triangle);
             }
-            ++counters.segments;
-            found(lanes[i].sample, lanes[i].time_s, triangle);
+            if (triangle != kNone) ++counters.segments;
+            found(lanes_[i].sample, lanes_[i].time_s, triangle);
         }
-        count = 0;
+        count_ = 0;
     }
+
+  private:
+    void aim() {
+        const Vector<Scene> reference = piece_->reference - scene_->float_centre();
+        for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
+            const Vector<Scene> o = reference + piece_->origin.at(u_[i]);
+            const Vector<Scene> d = piece_->direction_at(u_[i], x_[i], y_[i]);
+            packet_.origin_x[i] = static_cast<float>(o.x);
+            packet_.origin_y[i] = static_cast<float>(o.y);
+            packet_.origin_z[i] = static_cast<float>(o.z);
+            packet_.direction_x[i] = static_cast<float>(d.x);
+            packet_.direction_y[i] = static_cast<float>(d.y);
+            packet_.direction_z[i] = static_cast<float>(d.z);
+            packet_.valid[i] = i < count_ ? -1 : 0;
+        }
+    }
+
+    // Which lanes hit so near an edge that their float decision may be wrong. A barycentric coordinate times twice the
+    // projected area is the distance to an edge times the edge's projected length, which is at most the longest side.
+    void mark_doubtful() {
+        const auto longest_side_m = static_cast<float>(scene_->longest_side_m());
+        const RayPacket& p = packet_;
+        for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
+            const float dx = p.direction_x[i];
+            const float dy = p.direction_y[i];
+            const float dz = p.direction_z[i];
+            const float along = std::abs(p.normal_x[i] * dx + p.normal_y[i] * dy + p.normal_z[i] * dz);
+            const float direction_length = std::sqrt(dx * dx + dy * dy + dz * dz);
+            const float distance_m = p.depth[i] * direction_length;
+            const float origin_m = std::abs(p.origin_x[i]) + std::abs(p.origin_y[i]) + std::abs(p.origin_z[i]);
+            const float doubt_m = kFloatAngle * distance_m + kFloatPlace * (distance_m + origin_m);
+            const float least = std::min(std::min(p.u[i], p.v[i]), 1.0F - p.u[i] - p.v[i]);
+            doubtful_[i] = least * along < doubt_m * longest_side_m * direction_length ? 1 : 0;
+        }
+    }
+
+    const RayScene* scene_;
+    const MotionPiece* piece_;
+    std::span<const ImageSample> samples_;
+    double per_s_;
+    std::size_t count_ = 0;
+    RayPacket packet_{};
+    std::array<Lane, RayPacket::kSize> lanes_{};
+    std::array<double, RayPacket::kSize> x_{}, y_{}, u_{};
+    std::array<std::int32_t, RayPacket::kSize> doubtful_{};
 };
 
 }  // namespace
@@ -152,7 +171,7 @@ void DiscreteTracer::trace(const MotionPiece& piece, std::span<const ImageSample
     };
     std::vector<Instant> instants(samples.size() * exposures.size());
     for (std::size_t e = 0; e < exposures.size(); ++e) {
-        Batch batch{*scene_, piece, samples};
+        Batch batch(*scene_, piece, samples);
         const auto keep = [&](std::size_t sample, double time_s, TriangleId triangle) {
             instants[sample * exposures.size() + e] = {triangle, time_s};
         };
@@ -160,7 +179,7 @@ void DiscreteTracer::trace(const MotionPiece& piece, std::span<const ImageSample
             const double time_s = exposures[e].begin_s + samples[i].phase * exposures[e].duration_s();
             if (time_s < piece.when.begin_s || time_s >= piece.when.end_s) continue;
             batch.add(i, time_s);
-            if (batch.count == RayPacket::kSize) batch.trace(keep, counters);
+            if (batch.is_full()) batch.trace(keep, counters);
         }
         batch.trace(keep, counters);
     }
@@ -176,7 +195,7 @@ void DiscreteTracer::trace(const MotionPiece& piece, std::span<const ImageSample
 
 TriangleId DiscreteTracer::visible_at(const MotionPiece& piece, double x, double y, double time_s) const {
     const std::array<ImageSample, 1> sample = {{{x, y, 0.0}}};
-    Batch batch{*scene_, piece, sample};
+    Batch batch(*scene_, piece, sample);
     batch.add(0, time_s);
     TriangleId seen = kNone;
     TraceCounters counters;

@@ -45,31 +45,72 @@ struct alignas(64) Sweep {
     std::array<bool, 3> any_mixed{};                          // a direction of either sign in some cell
 };
 
+// The line of the film point in every cell: x * right + y * down + view, part by part.
+void combine(const QuarticVectors& right, const QuarticVectors& down, const QuarticVectors& view, double x, double y,
+             QuarticVectors& out) {
+    const Doubles d;
+    const std::size_t lanes = hn::Lanes(d);
+    const auto vx = hn::Set(d, x);
+    const auto vy = hn::Set(d, y);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t j = 0; j < 5; ++j) {
+            for (std::size_t first = 0; first < kTimeCells; first += lanes) {
+                const auto r = hn::Mul(vx, hn::Load(d, &right[axis][j][first]));
+                const auto e = hn::Mul(vy, hn::Load(d, &down[axis][j][first]));
+                hn::Store(hn::Add(hn::Add(r, e), hn::Load(d, &view[axis][j][first])), d, &out[axis][j][first]);
+            }
+        }
+    }
+}
+
+CellLines lines_of(const SweptRay& ray) {
+    CellLines lines;
+    const TimeCells& c = *ray.cells;
+    combine(c.right.direction, c.down.direction, c.view.direction, ray.x, ray.y, lines.direction);
+    combine(c.right.moment, c.down.moment, c.view.moment, ray.x, ray.y, lines.moment);
+    return lines;
+}
+
+// Rounds to float in the lanes from `first`. What that rounding moves is less than the widening before it.
+template <class V>
+HWY_INLINE void store_float(V v, float* to) {
+    const hn::Rebind<float, Doubles> f;
+    hn::Store(hn::DemoteTo(f, v), f, to);
+}
+
 Sweep sweep_of(const SweptRay& ray, const CellLines& lines) {
     Sweep sweep;
+    const Doubles d;
+    const std::size_t lanes = hn::Lanes(d);
     const Point<Scene> at = ray.cells->piece->reference;
     const std::array<double, 3> reference = {at.x, at.y, at.z};
     const auto slack = static_cast<double>(ray.bvh->slack_m);
+    const auto zero = hn::Zero(d);
+    const auto tiny = hn::Set(d, kTiny);
+    const auto widen = hn::Set(d, static_cast<double>(kWiden));
+    const auto one = hn::Set(d, 1.0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t cell = 0; cell < kTimeCells; ++cell) {
-            double low = lines.direction[axis][0][cell];
-            double high = low;
+        for (std::size_t first = 0; first < kTimeCells; first += lanes) {
+            auto low = hn::Load(d, &lines.direction[axis][0][first]);
+            auto high = low;
             for (std::size_t j = 1; j < 5; ++j) {
-                low = std::min(low, lines.direction[axis][j][cell]);
-                high = std::max(high, lines.direction[axis][j][cell]);
+                const auto coefficient = hn::Load(d, &lines.direction[axis][j][first]);
+                low = hn::Min(low, coefficient);
+                high = hn::Max(high, coefficient);
             }
-            low -= static_cast<double>(kWiden) * std::abs(low) + kTiny;
-            high += static_cast<double>(kWiden) * std::abs(high) + kTiny;
+            low = hn::Sub(hn::Sub(low, hn::Mul(widen, hn::Abs(low))), tiny);
+            high = hn::Add(hn::Add(high, hn::Mul(widen, hn::Abs(high))), tiny);
             // Zero as a bound would divide by zero; a bound this small on either side is as good.
-            if (low == 0.0) low = -kTiny;
-            if (high == 0.0) high = kTiny;
-            sweep.inverse_low[axis][cell] = static_cast<float>(1.0 / low);
-            sweep.inverse_high[axis][cell] = static_cast<float>(1.0 / high);
-            sweep.any_mixed[axis] = sweep.any_mixed[axis] || (low < 0.0 && high > 0.0);
-            const double origin_low = reference[axis] + ray.cells->origin_low[axis][cell] - slack;
-            const double origin_high = reference[axis] + ray.cells->origin_high[axis][cell] + slack;
-            sweep.origin_low[axis][cell] = static_cast<float>(origin_low);
-            sweep.origin_high[axis][cell] = static_cast<float>(origin_high);
+            low = hn::IfThenElse(hn::Eq(low, zero), hn::Neg(tiny), low);
+            high = hn::IfThenElse(hn::Eq(high, zero), tiny, high);
+            store_float(hn::Div(one, low), &sweep.inverse_low[axis][first]);
+            store_float(hn::Div(one, high), &sweep.inverse_high[axis][first]);
+            const auto mixed = hn::And(hn::Lt(low, zero), hn::Gt(high, zero));
+            sweep.any_mixed[axis] = sweep.any_mixed[axis] || !hn::AllFalse(d, mixed);
+            const auto low_origin = hn::Load(d, &ray.cells->origin_low[axis][first]);
+            const auto high_origin = hn::Load(d, &ray.cells->origin_high[axis][first]);
+            store_float(hn::Add(low_origin, hn::Set(d, reference[axis] - slack)), &sweep.origin_low[axis][first]);
+            store_float(hn::Add(high_origin, hn::Set(d, reference[axis] + slack)), &sweep.origin_high[axis][first]);
         }
     }
     return sweep;
@@ -84,11 +125,7 @@ struct BoxHits {
 class Walk {
   public:
     Walk(const SweptRay& ray, CellRecords& records, TraceCounters& counters)
-        : ray_(&ray),
-          records_(&records),
-          counters_(&counters),
-          lines_(ray.cells->lines_of(ray.x, ray.y)),
-          sweep_(sweep_of(ray, lines_)) {
+        : ray_(&ray), records_(&records), counters_(&counters), lines_(lines_of(ray)), sweep_(sweep_of(ray, lines_)) {
         far_.fill(kInfinity);
     }
 

@@ -54,24 +54,6 @@ TimeCells::TimeCells(const MotionPiece& motion) : piece(&motion) {
     }
 }
 
-CellLines TimeCells::lines_of(double x, double y) const {
-    CellLines lines;
-    const auto combine = [&](QuarticVectors CellLines::*part) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            for (std::size_t j = 0; j < 5; ++j) {
-                const PerCell<double>& r = (right.*part)[axis][j];
-                const PerCell<double>& d = (down.*part)[axis][j];
-                const PerCell<double>& v = (view.*part)[axis][j];
-                PerCell<double>& out = (lines.*part)[axis][j];
-                for (std::size_t cell = 0; cell < kTimeCells; ++cell) out[cell] = x * r[cell] + y * d[cell] + v[cell];
-            }
-        }
-    };
-    combine(&CellLines::direction);
-    combine(&CellLines::moment);
-    return lines;
-}
-
 std::uint32_t TimeCells::overlapping(std::span<const TimeRange> exposures) const {
     std::uint32_t cells = 0;
     for (std::size_t cell = 0; cell < kTimeCells; ++cell) {

@@ -32,7 +32,6 @@ struct alignas(64) CellLines {
 struct TimeCells {
     explicit TimeCells(const MotionPiece& motion);
 
-    [[nodiscard]] CellLines lines_of(double x, double y) const;
     // The cells that overlap any of the exposures, a bit each.
     [[nodiscard]] std::uint32_t overlapping(std::span<const TimeRange> exposures) const;
     // The time within the piece of a time within a cell.
@@ -43,7 +42,7 @@ struct TimeCells {
     const MotionPiece* piece;
     CellLines right, down, view;
     // Bounds of the camera's place in each cell, relative to the piece's reference.
-    std::array<PerCell<double>, 3> origin_low, origin_high;
+    alignas(64) std::array<PerCell<double>, 3> origin_low, origin_high;
 };
 
 // The coefficients in cell `cell` of c0 + c1 u + c2 u^2, u over the piece.
