@@ -31,8 +31,9 @@ inline constexpr std::array<GaussRule, 3> kGaussRules = {{
     {2, {-0.57735026918962576, 0.57735026918962576}, {0.5, 0.5}},
     {3, {-0.77459666924148338, 0.0, 0.77459666924148338}, {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0}},
 }};
-// Shares of the exposure from which a stretch gets two and three points. Measured on the demo shot against 1,024
-// samples: with one point throughout the error of 16 lines is a third larger, with more points than these no smaller.
+// Shares of the exposure from which a stretch gets two and three points. They matter where a triangle is seen for most
+// of an exposure, in slow shots and near the ground; a fast flight crosses triangles so quickly that one point a
+// stretch is as good (banded ground, a dive, 16 lines: RMSE .00200 with one point throughout, .00200 with three).
 inline constexpr double kTwoPointShare = 0.2;
 inline constexpr double kThreePointShare = 0.6;
 

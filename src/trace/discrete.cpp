@@ -11,8 +11,8 @@
 namespace overfly {
 namespace {
 
-// Embree decides sides from float coordinates relative to the ray's origin: its edge values are off by a few roundings
-// of the distance. 16 of them, as an angle; four times the largest disagreement with double seen on the sample terrain.
+// Embree decides sides from float coordinates relative to the ray's origin: subtraction, cross product and dot product
+// leave an error of some 8 roundings (2^-24) of the distance in where an edge is. Twice that, as an angle.
 constexpr float kFloatAngle = 0x1p-20F;
 
 // Vertices and the ray's origin are rounded to float relative to the float centre.

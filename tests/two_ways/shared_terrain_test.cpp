@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "trace/agreement.h"
+#include "two_ways/blurred_frame.h"
+
+namespace overfly {
+namespace {
+
+using namespace testing;
+
+struct Case {
+    const char* dem;
+    bool dives;
+};
+
+class SharedTerrain : public ::testing::TestWithParam<Case> {};
+
+// 30 m projected; 1 m lidar with sheer walls; geographic with voids.
+INSTANTIATE_TEST_SUITE_P(Flights, SharedTerrain,
+                         ::testing::Values(Case{"bigtujunga_srtm30m_utm11n.tif", false},
+                                           Case{"bigtujunga_srtm30m_utm11n.tif", true},
+                                           Case{"nrw_lidar_dsm1m_utm32n.tif", false},
+                                           Case{"nrw_lidar_dsm1m_utm32n.tif", true},
+                                           Case{"rainier_adams_srtm90m_cog_lerc.tif", false},
+                                           Case{"rainier_adams_srtm90m_cog_lerc.tif", true}));
+
+TEST_P(SharedTerrain, TracersAgree) {
+    PreparedTerrain terrain = prepared(std::filesystem::path(OVERFLY_SHARED_DATA) / "dem" / GetParam().dem);
+    const FlightDocument document =
+        flight_over(terrain.scene.report, GetParam().dives ? diving_flight() : level_flight());
+    const Stage stage(std::move(terrain), middle_of(document));
+    const Agreement agreement = compare(DiscreteTracer(stage.rays()), IntervalTracer(stage.mesh()), stage.mesh(),
+                                        motion_over(document, stage), AgreementOptions{});
+    std::cout << GetParam().dem << (GetParam().dives ? " dive" : " level") << ": " << agreement.pairs
+              << " pairs, same triangle " << agreement.same_share() << ", else same depth " << agreement.same_depth
+              << ", at an edge " << agreement.near_edge << ", neither " << agreement.unexplained << "\n";
+    EXPECT_EQ(agreement.pairs, 200'000);
+    EXPECT_GE(agreement.same_share(), 0.9999);
+    EXPECT_EQ(agreement.unexplained, 0);
+}
+
+// The figure of the first flight: 960x540, sixteen lines, against 1,024 samples.
+TEST(SharedTerrainBlur, SixteenLinesAtFullSize) {
+    PreparedTerrain terrain =
+        prepared(std::filesystem::path(OVERFLY_SHARED_DATA) / "dem" / "bigtujunga_srtm30m_utm11n.tif");
+    const FlightDocument document = flight_over(terrain.scene.report, level_flight());
+    const Stage stage(std::move(terrain), middle_of(document));
+    const Motion motion = motion_over(document, stage, {0.01, 960, 540, 1.0 / 6.0});
+    const FrameMaker maker = {stage, motion, {960, 540}, {1.0, 1.0 + 1.0 / 48.0}};
+    const Frame reference = maker.expose(DiscreteTracer(stage.rays()), 1024);
+    const double error = root_mean_square_error(maker.expose(IntervalTracer(stage.mesh()), 16), reference);
+    std::cout << "RMSE of 16 lines against 1,024 samples: " << error << "\n";
+    EXPECT_LT(error, 0.004);
+}
+
+}  // namespace
+}  // namespace overfly
