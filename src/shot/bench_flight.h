@@ -14,9 +14,9 @@ struct BenchOptions {
     Progress progress;
 };
 
-// One tracer at one visibility sample per pixel and frame, no shading, on one thread.
+// One visibility sample of a pixel in a frame, no shading, on one thread.
 struct TracerTiming {
-    double ns_per_pixel_frame = 0.0;
+    double ns_per_sample = 0.0;
     TraceCounters counters;
 };
 
@@ -27,7 +27,7 @@ struct BenchResult {
     Agreement agreement;
 };
 
-// Both tracers at the same work in one process: pieces spread evenly over the shot, on every fourth tile of the
+// Both tracers at the same work in one process: pieces spread evenly over the shot, on every second tile of the
 // picture, each piece by one tracer and then by the other, so that a change of the machine's speed meets both.
 [[nodiscard]] BenchResult bench_flight(const ShotDocument& shot, const BenchOptions& options);
 
