@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/colour.h"
 #include "core/geometry.h"
 #include "geo/frames.h"
@@ -7,7 +9,9 @@
 
 namespace overfly {
 
-// Sun, sky and haze over the scene. Light is in units in which white ground under a sun at the zenith is about 1.
+// Sun, sky and haze over the scene. Light is in units in which white ground that faces a sun at the zenith is 2: a stop
+// above that of a picture balanced for white, for terrain is dark. Horizontal ground is lit by exactly the sky that
+// `background` shows.
 class Daylight {
   public:
     explicit Daylight(const Look& look);
@@ -21,7 +25,9 @@ class Daylight {
     // What is seen along a unit direction where there is no ground. `up` is the camera's own.
     [[nodiscard]] Rgb background(Vector<Scene> direction, Vector<Scene> up) const;
 
-    // A view of `behind` through `distance_m` of air, between two heights above the scene's ground.
+    // A view of `behind` through `distance_m` of air, between two heights above the scene's lowest ground. Haze tends
+    // to the sky's colour at the horizon in that direction; along a level path at height 0 it leaves 2 % of the green
+    // light at the distance of the visibility.
     struct AirPath {
         double distance_m = 0.0;
         double from_height_m = 0.0, to_height_m = 0.0;
@@ -40,5 +46,8 @@ class Daylight {
 [[nodiscard]] Vector<Scene> up_at(Point<Scene> p);
 // Height above that ball, in metres.
 [[nodiscard]] double height_over_ball_m(Point<Scene> p);
+// How far a view from p along a unit direction is from the surface `height_m` above that ball, if it meets it.
+// REQUIRES: p is above that surface.
+[[nodiscard]] std::optional<double> distance_to_ball_m(Point<Scene> p, Vector<Scene> direction, double height_m);
 
 }  // namespace overfly

@@ -1,18 +1,15 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "core/colour.h"
 #include "core/progress.h"
 #include "shade/colour_ramp.h"
 #include "shade/daylight.h"
+#include "shade/is_blocked.h"
 #include "terrain/terrain_mesh.h"
 
 namespace overfly {
-
-// Whether ground stands in the way from a point along a direction.
-using IsBlocked = std::function<bool(Point<Scene> from, Vector<Scene> direction)>;
 
 // What the ground sends to the camera, before the air between: light that fixed ground under a fixed sky reflects to
 // every side alike, and so is computed once per vertex and not per frame.
@@ -20,9 +17,8 @@ struct GroundLight {
     std::vector<Rgb> radiance;  // of each vertex of the mesh
 };
 
-// Albedo by elevation, times sun (with shadows of the terrain, softened over the sun's disc) plus the share of the sky
-// that the vertex sees, plus a first bounce from the ground that hides the rest of it. The same for any number of
-// threads.
+// Albedo, times sun (with the shadows of the terrain) plus the sky that the vertex sees, plus a first bounce from the
+// ground that hides the rest of it. The same for any number of threads.
 [[nodiscard]] GroundLight light_ground(const TerrainMesh& mesh, const ColourRamp& colours, const Daylight& day,
                                        const IsBlocked& is_blocked, const Progress& progress = {});
 

@@ -4,7 +4,8 @@
 
 namespace overfly {
 
-// The built-in colours: from valley green over dry grass and rock to snow, spread over the terrain's own heights.
+// The built-in colours: dry basin, grass, forest, alpine meadow, rock and snow, spread over the terrain's own heights;
+// where it is steep, bare soil and rock. Reflectances are those of natural ground, a little lighter.
 // REQUIRES: lowest_m <= highest_m.
 [[nodiscard]] ColourRamp hypsometric_ramp(float lowest_m, float highest_m);
 
