@@ -49,8 +49,7 @@ double film_distance_to_sides(const TerrainMesh& mesh, TriangleId triangle, cons
 TriangleId seen_by(const IntervalTracer& tracer, const Pair& pair) {
     SegmentLists lists;
     TraceCounters counters;
-    tracer.trace(*pair.piece, std::array{pair.sample}, std::array{TimeRange{pair.time_s, pair.time_s}}, lists,
-                 counters);
+    tracer.trace(*pair.piece, std::array{pair.sample}, std::array{pair.piece->when}, lists, counters);
     for (const VisibleSegment& s : lists.of(0)) {
         if (s.when.contains(pair.time_s)) return s.triangle;
     }

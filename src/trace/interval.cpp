@@ -1,5 +1,7 @@
 #include "trace/interval.h"
 
+#include <algorithm>
+
 #include "trace/nearest_records.h"
 #include "trace/swept_ray.h"
 
@@ -8,33 +10,72 @@ namespace {
 
 // Records that meet at a vertex are cut at the roots of different edges, each exact to a few roundings of the cell; a
 // gap no longer than this (a thousand such roundings) is rounding, not sky.
-constexpr double kGap = 1e-12;
+constexpr double kGap = 1e-12;  // of the piece
 
-// Joins the records of a cell to what was seen before it, and appends them.
-class Timeline {
+// Appends the records of one cell, which are in time order and apart, as segments.
+void append_segments(const TimeCells& cells, std::size_t cell, std::span<const CellRecord> records,
+                     std::vector<VisibleSegment>& out) {
+    const std::size_t first = out.size();
+    const double piece_per_cell = cells.to[cell] - cells.from[cell];
+    double last = 0.0;  // end of the latest record, in the cell's u
+    for (const CellRecord& record : records) {
+        const bool touches = out.size() > first && (record.begin - last) * piece_per_cell <= kGap;
+        const double begin_s = touches ? out.back().when.end_s : cells.time_s(cell, record.begin);
+        const double end_s = cells.time_s(cell, record.end);
+        if (touches && out.back().triangle == record.triangle) {
+            out.back().when.end_s = end_s;
+        } else if (end_s > begin_s || cells.exposure_of(cell).duration_s() == 0.0) {
+            out.push_back({record.triangle, {begin_s, end_s}});
+        } else {
+            continue;  // shorter than time can tell
+        }
+        last = record.end;
+    }
+}
+
+// The exposures that lie in the piece, cut off at its ends, by as many as are traced together.
+std::vector<TimeCells> cells_of(const MotionPiece& piece, std::span<const TimeRange> exposures) {
+    std::vector<TimeRange> within;
+    for (const TimeRange& exposure : exposures) {
+        const TimeRange open = intersection(exposure, piece.when);
+        if (open.duration_s() >= 0.0) within.push_back(open);
+    }
+    std::vector<TimeCells> cells;
+    for (std::size_t first = 0; first < within.size(); first += kTimeCells) {
+        const std::size_t count = std::min(kTimeCells, within.size() - first);
+        cells.emplace_back(piece, std::span(within).subspan(first, count));
+    }
+    return cells;
+}
+
+// Follows samples through cells and appends what each of them sees.
+class Follower {
   public:
-    Timeline(const MotionPiece& piece, std::vector<VisibleSegment>& out)
-        : piece_(&piece), out_(&out), first_(out.size()) {}
+    Follower(const TerrainMesh& mesh, const StaticBvh& bvh, TraceCounters& counters)
+        : mesh_(&mesh), bvh_(&bvh), counters_(&counters) {}
 
-    void add(std::size_t cell, const CellRecord& record) {
-        const double begin = TimeCells::piece_u(cell, record.begin);
-        const double end = TimeCells::piece_u(cell, record.end);
-        const bool touches = out_->size() > first_ && begin - last_ <= kGap;
-        const double begin_s = touches ? out_->back().when.end_s : piece_->time_at(begin);
-        last_ = end;
-        if (touches && out_->back().triangle == record.triangle) {
-            out_->back().when.end_s = piece_->time_at(end);
-        } else if (end > begin) {
-            out_->push_back({record.triangle, {begin_s, piece_->time_at(end)}});
+    // REQUIRES: no more samples than cells.samples_together(). Calls end_sample() after each.
+    template <class EndSample>
+    void follow(const TimeCells& cells, std::span<const ImageSample> samples, std::vector<VisibleSegment>& out,
+                const EndSample& end_sample) {
+        const SweptRays rays(*mesh_, *bvh_, cells, samples);
+        gather_records(rays, records_, *counters_);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            for (std::size_t k = 0; k < cells.exposures.size(); ++k) {
+                const std::size_t cell = i * cells.exposures.size() + k;
+                append_segments(cells, cell, nearest_records(rays, cell, records_[cell], scratch_), out);
+                records_[cell].clear();
+            }
+            end_sample();
         }
     }
-    [[nodiscard]] std::size_t count() const { return out_->size() - first_; }
 
   private:
-    const MotionPiece* piece_;
-    std::vector<VisibleSegment>* out_;
-    std::size_t first_;
-    double last_ = 0.0;  // end of the latest record, in the piece's u
+    const TerrainMesh* mesh_;
+    const StaticBvh* bvh_;
+    TraceCounters* counters_;
+    CellRecords records_;
+    std::vector<CellRecord> scratch_;
 };
 
 }  // namespace
@@ -43,22 +84,24 @@ IntervalTracer::IntervalTracer(const TerrainMesh& mesh) : mesh_(&mesh), bvh_(bui
 
 void IntervalTracer::trace(const MotionPiece& piece, std::span<const ImageSample> samples,
                            std::span<const TimeRange> exposures, SegmentLists& out, TraceCounters& counters) const {
-    const TimeCells cells(piece);
-    const std::uint32_t active = cells.overlapping(exposures);
-    CellRecords records;
-    std::vector<CellRecord> scratch;
-    for (const ImageSample& sample : samples) {
-        const SweptRay ray = {mesh_, &bvh_, &cells, sample.x, sample.y, active};
-        gather_records(ray, records, counters);
-        Timeline timeline(piece, out.segments);
-        for (std::size_t cell = 0; cell < kTimeCells; ++cell) {
-            for (const CellRecord& r : nearest_records(ray, cell, records[cell], scratch)) timeline.add(cell, r);
-            records[cell].clear();
+    const std::vector<TimeCells> all_cells = cells_of(piece, exposures);
+    const std::size_t before = out.segments.size();
+    Follower follower(*mesh_, bvh_, counters);
+    if (all_cells.size() == 1) {
+        const std::size_t together = all_cells[0].samples_together();
+        for (std::size_t first = 0; first < samples.size(); first += together) {
+            const auto group = samples.subspan(first, std::min(together, samples.size() - first));
+            follower.follow(all_cells[0], group, out.segments, [&] { out.end_sample(); });
         }
-        ++counters.rays;
-        counters.segments += timeline.count();
-        out.end_sample();
+    } else {
+        // More exposures than one walk can follow: walk after walk, each sample's segments in the order of time.
+        for (const ImageSample& sample : samples) {
+            for (const TimeCells& cells : all_cells) follower.follow(cells, std::span(&sample, 1), out.segments, [] {});
+            out.end_sample();
+        }
     }
+    counters.rays += samples.size();
+    counters.segments += out.segments.size() - before;
 }
 
 std::size_t IntervalTracer::memory_bytes() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/polynomial_roots.h"
 #include "trace/plane_depth.h"
 
 namespace overfly {
@@ -31,15 +32,15 @@ bool are_apart(const std::vector<CellRecord>& sorted) {
 
 // Every time at which the nearest record may change: the ends, and where two planes cross.
 std::vector<double> event_times(std::span<const CellRecord> records, std::span<const PlaneDepth> depths,
-                                std::size_t cell) {
+                                const TimeCells& cells, std::size_t cell) {
     std::vector<double> times;
     for (std::size_t i = 0; i < records.size(); ++i) {
         times.push_back(records[i].begin);
         times.push_back(records[i].end);
         for (std::size_t j = 0; j < i; ++j) {
             if (!overlap(records[i], records[j]) || records[i].triangle == records[j].triangle) continue;
-            const Bernstein<4> a = depths[i].numerator_in(cell) * depths[j].denominator_in(cell);
-            const Bernstein<4> b = depths[j].numerator_in(cell) * depths[i].denominator_in(cell);
+            const Bernstein<4> a = depths[i].numerator_in(cells, cell) * depths[j].denominator_in(cells, cell);
+            const Bernstein<4> b = depths[j].numerator_in(cells, cell) * depths[i].denominator_in(cells, cell);
             Bernstein<4> difference{};
             for (std::size_t k = 0; k < 5; ++k) difference[k] = a[k] - b[k];
             for (const double u : sign_change_roots<4>(difference)) times.push_back(u);
@@ -52,7 +53,7 @@ std::vector<double> event_times(std::span<const CellRecord> records, std::span<c
 
 }  // namespace
 
-std::vector<CellRecord>& nearest_records(const SweptRay& ray, std::size_t cell, std::vector<CellRecord>& records,
+std::vector<CellRecord>& nearest_records(const SweptRays& ray, std::size_t cell, std::vector<CellRecord>& records,
                                          std::vector<CellRecord>& scratch) {
     const auto by_start = [](const CellRecord& a, const CellRecord& b) {
         return a.begin != b.begin ? a.begin < b.begin : a.triangle < b.triangle;
@@ -64,8 +65,9 @@ std::vector<CellRecord>& nearest_records(const SweptRay& ray, std::size_t cell, 
 
     std::vector<PlaneDepth> depths;
     depths.reserve(records.size());
-    for (const CellRecord& r : records) depths.emplace_back(*ray.mesh, r.triangle, *ray.cells->piece, ray.x, ray.y);
-    const std::vector<double> times = event_times(records, depths, cell);
+    for (const CellRecord& r : records)
+        depths.emplace_back(*ray.mesh, r.triangle, *ray.cells->piece, ray.x[cell], ray.y[cell]);
+    const std::vector<double> times = event_times(records, depths, *ray.cells, cell);
     scratch.clear();
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
         const double middle = 0.5 * (times[i] + times[i + 1]);
@@ -73,7 +75,7 @@ std::vector<CellRecord>& nearest_records(const SweptRay& ray, std::size_t cell, 
         double nearest_m = std::numeric_limits<double>::infinity();
         for (std::size_t r = 0; r < records.size(); ++r) {
             if (records[r].begin > times[i] || records[r].end < times[i + 1]) continue;
-            const double depth_m = depths[r].at(TimeCells::piece_u(cell, middle));
+            const double depth_m = depths[r].at(ray.cells->piece_u(cell, middle));
             const bool is_nearer = depth_m < nearest_m || (depth_m == nearest_m && nearest != nullptr &&
                                                            records[r].triangle < nearest->triangle);
             if (!is_nearer) continue;

@@ -10,7 +10,7 @@ namespace overfly {
 // another record is nearer, at the exact time where two planes cross (the root of N_i D_j - N_j D_i, design 3.2).
 // Of two equally near, the triangle with the lower number.
 // REQUIRES: every record's triangle is of ray.mesh.
-[[nodiscard]] std::vector<CellRecord>& nearest_records(const SweptRay& ray, std::size_t cell,
+[[nodiscard]] std::vector<CellRecord>& nearest_records(const SweptRays& ray, std::size_t cell,
                                                        std::vector<CellRecord>& records,
                                                        std::vector<CellRecord>& scratch);
 

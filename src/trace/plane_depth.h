@@ -12,6 +12,7 @@ namespace overfly {
 struct PlaneDepth {
     std::array<double, 3> numerator{}, denominator{};  // monomial coefficients in u
 
+    PlaneDepth() = default;
     PlaneDepth(const TerrainMesh& mesh, TriangleId triangle, const MotionPiece& piece, double x, double y) {
         const auto& corner = mesh.triangles[triangle];
         const Vector<Scene> v0 = mesh.positions[corner[0]] - piece.reference;
@@ -27,11 +28,11 @@ struct PlaneDepth {
         return (numerator[0] + u * (numerator[1] + u * numerator[2])) /
                (denominator[0] + u * (denominator[1] + u * denominator[2]));
     }
-    [[nodiscard]] Bernstein<2> numerator_in(std::size_t cell) const {
-        return cell_coefficients(numerator[0], numerator[1], numerator[2], cell);
+    [[nodiscard]] Bernstein<2> numerator_in(const TimeCells& cells, std::size_t cell) const {
+        return cells.coefficients(numerator[0], numerator[1], numerator[2], cell);
     }
-    [[nodiscard]] Bernstein<2> denominator_in(std::size_t cell) const {
-        return cell_coefficients(denominator[0], denominator[1], denominator[2], cell);
+    [[nodiscard]] Bernstein<2> denominator_in(const TimeCells& cells, std::size_t cell) const {
+        return cells.coefficients(denominator[0], denominator[1], denominator[2], cell);
     }
 };
 

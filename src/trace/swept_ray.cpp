@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/polynomial_roots.h"
 #include "trace/line.h"
 #include "trace/plane_depth.h"
 #include "trace/swept_ray.h"
@@ -45,29 +46,27 @@ struct alignas(64) Sweep {
     std::array<bool, 3> any_mixed{};                          // a direction of either sign in some cell
 };
 
-// The line of the film point in every cell: x * right + y * down + view, part by part.
-void combine(const QuarticVectors& right, const QuarticVectors& down, const QuarticVectors& view, double x, double y,
+// The line of each cell's film point: x * right + y * down + view, part by part.
+void combine(const SweptRays& ray, const QuarticVectors& right, const QuarticVectors& down, const QuarticVectors& view,
              QuarticVectors& out) {
     const Doubles d;
     const std::size_t lanes = hn::Lanes(d);
-    const auto vx = hn::Set(d, x);
-    const auto vy = hn::Set(d, y);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (std::size_t j = 0; j < 5; ++j) {
             for (std::size_t first = 0; first < kTimeCells; first += lanes) {
-                const auto r = hn::Mul(vx, hn::Load(d, &right[axis][j][first]));
-                const auto e = hn::Mul(vy, hn::Load(d, &down[axis][j][first]));
+                const auto r = hn::Mul(hn::Load(d, &ray.x[first]), hn::Load(d, &right[axis][j][first]));
+                const auto e = hn::Mul(hn::Load(d, &ray.y[first]), hn::Load(d, &down[axis][j][first]));
                 hn::Store(hn::Add(hn::Add(r, e), hn::Load(d, &view[axis][j][first])), d, &out[axis][j][first]);
             }
         }
     }
 }
 
-CellLines lines_of(const SweptRay& ray) {
+CellLines lines_of(const SweptRays& ray) {
     CellLines lines;
     const TimeCells& c = *ray.cells;
-    combine(c.right.direction, c.down.direction, c.view.direction, ray.x, ray.y, lines.direction);
-    combine(c.right.moment, c.down.moment, c.view.moment, ray.x, ray.y, lines.moment);
+    combine(ray, c.right.direction, c.down.direction, c.view.direction, lines.direction);
+    combine(ray, c.right.moment, c.down.moment, c.view.moment, lines.moment);
     return lines;
 }
 
@@ -78,7 +77,7 @@ HWY_INLINE void store_float(V v, float* to) {
     hn::Store(hn::DemoteTo(f, v), f, to);
 }
 
-Sweep sweep_of(const SweptRay& ray, const CellLines& lines) {
+Sweep sweep_of(const SweptRays& ray, const CellLines& lines) {
     Sweep sweep;
     const Doubles d;
     const std::size_t lanes = hn::Lanes(d);
@@ -124,7 +123,7 @@ struct BoxHits {
 
 class Walk {
   public:
-    Walk(const SweptRay& ray, CellRecords& records, TraceCounters& counters)
+    Walk(const SweptRays& ray, CellRecords& records, TraceCounters& counters)
         : ray_(&ray), records_(&records), counters_(&counters), lines_(lines_of(ray)), sweep_(sweep_of(ray, lines_)) {
         far_.fill(kInfinity);
     }
@@ -282,10 +281,15 @@ class Walk {
         }
         const SideMasks masks = side_masks(cells);
         if (masks.perhaps_inside == 0) return;
-        const PlaneDepth depth(mesh, triangle, *ray_->cells->piece, ray_->x, ray_->y);
         bool hit = false;
+        std::size_t sample = kTimeCells;  // whose depth it is
+        PlaneDepth depth;
         for (std::uint32_t rest = masks.perhaps_inside; rest != 0; rest &= rest - 1) {
             const auto cell = static_cast<std::size_t>(std::countr_zero(rest));
+            if (cell / ray_->cells->exposures.size() != sample) {
+                sample = cell / ray_->cells->exposures.size();
+                depth = PlaneDepth(mesh, triangle, *ray_->cells->piece, ray_->x[cell], ray_->y[cell]);
+            }
             const bool whole = (masks.surely_inside >> cell & 1U) != 0;
             hit |= whole ? record_whole(triangle, depth, cell) : record_parts(triangle, depth, cell);
         }
@@ -293,7 +297,7 @@ class Walk {
     }
 
     bool record_whole(TriangleId triangle, const PlaneDepth& depth, std::size_t cell) {
-        if (sign_changes<2>(depth.numerator_in(cell)) != 0) return record_parts(triangle, depth, cell);
+        if (sign_changes<2>(depth.numerator_in(*ray_->cells, cell)) != 0) return record_parts(triangle, depth, cell);
         return record(triangle, depth, cell, 0.0, 1.0);
     }
 
@@ -333,7 +337,7 @@ class Walk {
         cuts[count++] = 0.0;
         const std::array<Side, 3> sides = {side_in(0, cell, cuts.data(), count), side_in(1, cell, cuts.data(), count),
                                            side_in(2, cell, cuts.data(), count)};
-        for (const double u : sign_change_roots<2>(depth.numerator_in(cell))) cuts[count++] = u;
+        for (const double u : sign_change_roots<2>(depth.numerator_in(*ray_->cells, cell))) cuts[count++] = u;
         cuts[count++] = 1.0;
         if (count > 3) std::sort(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(count));
         bool hit = false;
@@ -342,7 +346,7 @@ class Walk {
             const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
             const EdgeValues values = {{sides[0].at(middle), sides[1].at(middle), sides[2].at(middle)}};
             const bool seen =
-                values.inside() && cuts[i + 1] > cuts[i] && depth.at(TimeCells::piece_u(cell, middle)) > 0.0;
+                values.inside() && cuts[i + 1] > cuts[i] && depth.at(ray_->cells->piece_u(cell, middle)) > 0.0;
             if (seen && open_since < 0.0) open_since = cuts[i];
             const bool ends = open_since >= 0.0 && (!seen || i + 2 == count);
             if (ends) {
@@ -354,9 +358,9 @@ class Walk {
     }
 
     bool record(TriangleId triangle, const PlaneDepth& depth, std::size_t cell, double begin, double end) {
-        const double s0 = depth.at(TimeCells::piece_u(cell, begin));
-        const double s1 = depth.at(TimeCells::piece_u(cell, 0.5 * (begin + end)));
-        const double s2 = depth.at(TimeCells::piece_u(cell, end));
+        const double s0 = depth.at(ray_->cells->piece_u(cell, begin));
+        const double s1 = depth.at(ray_->cells->piece_u(cell, 0.5 * (begin + end)));
+        const double s2 = depth.at(ray_->cells->piece_u(cell, end));
         if (!(s1 > 0.0)) return false;
         // s is a smooth ratio of quadratics over a short time: its turns between the three are covered by their spread.
         const double low = std::min({s0, s1, s2});
@@ -394,7 +398,7 @@ class Walk {
         }
     }
 
-    const SweptRay* ray_;
+    const SweptRays* ray_;
     CellRecords* records_;
     TraceCounters* counters_;
     CellLines lines_;
@@ -405,7 +409,7 @@ class Walk {
     alignas(64) std::array<std::array<PerCell<double>, 5>, 3> coefficients_{};
 };
 
-void gather(const SweptRay& ray, CellRecords& records, TraceCounters& counters) { Walk(ray, records, counters).run(); }
+void gather(const SweptRays& ray, CellRecords& records, TraceCounters& counters) { Walk(ray, records, counters).run(); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace overfly
@@ -415,8 +419,21 @@ HWY_AFTER_NAMESPACE();
 namespace overfly {
 HWY_EXPORT(gather);
 
-void gather_records(const SweptRay& ray, CellRecords& records, TraceCounters& counters) {
-    HWY_DYNAMIC_DISPATCH(gather)(ray, records, counters);
+SweptRays::SweptRays(const TerrainMesh& terrain, const StaticBvh& hierarchy, const TimeCells& time,
+                     std::span<const ImageSample> samples)
+    : mesh(&terrain), bvh(&hierarchy), cells(&time) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        for (std::size_t k = 0; k < time.exposures.size(); ++k) {
+            const std::size_t cell = i * time.exposures.size() + k;
+            x[cell] = samples[i].x;
+            y[cell] = samples[i].y;
+            active |= 1U << cell;
+        }
+    }
+}
+
+void gather_records(const SweptRays& rays, CellRecords& records, TraceCounters& counters) {
+    HWY_DYNAMIC_DISPATCH(gather)(rays, records, counters);
 }
 }  // namespace overfly
 #endif

@@ -21,18 +21,22 @@ struct CellRecord {
 
 using CellRecords = std::array<std::vector<CellRecord>, kTimeCells>;
 
-// What the walk of a swept ray through the hierarchy needs.
-struct SweptRay {
+// What a walk through the hierarchy follows: the lines of sight of a few neighbouring samples
+// (TimeCells::samples_together).
+struct SweptRays {
+    SweptRays(const TerrainMesh& terrain, const StaticBvh& hierarchy, const TimeCells& time,
+              std::span<const ImageSample> samples);
+
     const TerrainMesh* mesh;
     const StaticBvh* bvh;
     const TimeCells* cells;
-    double x, y;           // on the film
-    std::uint32_t active;  // the cells that matter, a bit each
+    std::uint32_t active = 0;              // the cells in use, a bit each
+    alignas(64) PerCell<double> x{}, y{};  // of each cell's sample, on the film
 };
 
-// All records of the ray in its active cells, except such as lie behind records that cover their whole cell. Appends to
-// `records`, unsorted. The same for every vector unit that the processor offers: which boxes are met may differ by a
+// All records of the rays in the cells in use, except such as lie behind records that cover their whole cell. Appends
+// to `records`, unsorted. The same for every vector unit that the processor offers: which boxes are met may differ by a
 // rounding, the records that can be seen do not.
-void gather_records(const SweptRay& ray, CellRecords& records, TraceCounters& counters);
+void gather_records(const SweptRays& rays, CellRecords& records, TraceCounters& counters);
 
 }  // namespace overfly

@@ -44,7 +44,7 @@ struct SegmentLists {
 // What a tracer had to do, for statistics. Sums of integers, so the same for any number of threads.
 struct TraceCounters {
     std::uint64_t rays = 0;       // discrete: rays cast; interval: samples followed through a piece
-    std::uint64_t box_tests = 0;  // of a swept ray with a box, all of its time cells at once
+    std::uint64_t box_tests = 0;  // of a walk with a box, all of its cells at once
     std::uint64_t box_hits = 0;
     std::uint64_t triangle_tests = 0;  // likewise with a triangle
     std::uint64_t triangle_hits = 0;
