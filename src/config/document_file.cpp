@@ -15,7 +15,7 @@ namespace overfly::config {
 namespace {
 
 // A raster given by mistake is refused before it is all in memory. 100,000 keyframes are 10 MB.
-constexpr std::size_t max_document_bytes = 64 << 20;
+constexpr std::size_t kMaxDocumentBytes = 64 << 20;
 
 std::optional<std::string> text_of(const std::filesystem::path& file, std::vector<Problem>& problems) {
     const auto refuse = [&](std::string message) {
@@ -30,12 +30,12 @@ std::optional<std::string> text_of(const std::filesystem::path& file, std::vecto
     if (!stream) return refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
 
     std::string text;
-    for (char block[65536]; text.size() <= max_document_bytes && stream;) {
+    for (char block[65536]; text.size() <= kMaxDocumentBytes && stream;) {
         stream.read(block, sizeof block);
         text.append(block, static_cast<std::size_t>(stream.gcount()));
     }
     if (stream.bad()) return refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
-    if (text.size() > max_document_bytes) return refuse("got more than 64 MB, allowed a YAML document");
+    if (text.size() > kMaxDocumentBytes) return refuse("got more than 64 MB, allowed a YAML document");
     return text;
 }
 

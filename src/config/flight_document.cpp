@@ -9,10 +9,10 @@ namespace overfly {
 namespace config {
 namespace {
 
-constexpr Range field_of_view_deg{0.01, 179};
-constexpr Range time_s{-1'000'000, 1'000'000};
+constexpr Range kFieldOfView_deg{0.01, 179};
+constexpr Range kTime_s{-1'000'000, 1'000'000};
 // From below the deepest trench to a quarter of the way to a geostationary orbit.
-constexpr Range height_m{-20'000, 10'000'000};
+constexpr Range kHeight_m{-20'000, 10'000'000};
 
 // What keyframes take over from the flight where they say nothing.
 struct FlightDefaults {
@@ -22,9 +22,9 @@ struct FlightDefaults {
 };
 
 void read_height_above(Section& section, HeightAbove& above) {
-    static constexpr NamedValue<HeightAbove> words[] = {
+    static constexpr NamedValue<HeightAbove> kWords[] = {
         {"ground", HeightAbove::Ground}, {"sea_level", HeightAbove::SeaLevel}, {"ellipsoid", HeightAbove::Ellipsoid}};
-    section.read("height_above", above, words);
+    section.read("height_above", above, kWords);
 }
 
 FlightPlace read_place(Section& section, HeightAbove above) {
@@ -32,7 +32,7 @@ FlightPlace read_place(Section& section, HeightAbove above) {
     section.require({"lon_deg", "lat_deg", "height_m"});
     section.read("lon_deg", place.lon, {-360, 360});
     section.read("lat_deg", place.lat, {-90, 90});
-    section.read("height_m", place.height_m, height_m);
+    section.read("height_m", place.height_m, kHeight_m);
     read_height_above(section, place.above);
     return place;
 }
@@ -46,17 +46,17 @@ std::optional<FlightPlace> read_target(Section& section, HeightAbove above) {
 void read_lens(Section& section, Lens& lens) {
     section.section("lens", [&](Section& s) {
         double focal_length_mm = 0.0;
-        s.read("hfov_deg", lens.horizontal_fov, field_of_view_deg);
+        s.read("hfov_deg", lens.horizontal_fov, kFieldOfView_deg);
         const bool by_focal_length = s.read("focal_length_mm", focal_length_mm, {0.1, 100'000});
         s.read("sensor_width_mm", lens.sensor_width_mm, {0.1, 1000});
         s.allow_one_of("hfov_deg", "focal_length_mm");
         if (!by_focal_length) return;
         const Lens focal = Lens::of_focal_length(focal_length_mm, lens.sensor_width_mm);
-        if (field_of_view_deg.contains(focal.horizontal_fov.degrees())) {
+        if (kFieldOfView_deg.contains(focal.horizontal_fov.degrees())) {
             lens = focal;
         } else {
             s.refuse("focal_length_mm", fmt::format("what gives a field of view of {} degrees with a sensor of {} mm",
-                                                    field_of_view_deg.text(), lens.sensor_width_mm));
+                                                    kFieldOfView_deg.text(), lens.sensor_width_mm));
         }
     });
 }
@@ -89,7 +89,7 @@ Keyframe read_keyframe(Section& section, const FlightDefaults& defaults, std::op
     Keyframe keyframe;
     keyframe.lens = defaults.lens;
     section.require({"time_s"});
-    if (section.read("time_s", keyframe.time_s, time_s)) {
+    if (section.read("time_s", keyframe.time_s, kTime_s)) {
         if (last_time_s && keyframe.time_s <= *last_time_s) {
             section.refuse("time_s", fmt::format("more than {}, the time of the keyframe before", *last_time_s));
         }

@@ -77,7 +77,7 @@ std::vector<int> parse_frame_range(const std::string& text, FrameSpan available)
     }
     if (!problems.empty()) throw UserError(std::move(problems));
     std::ranges::sort(frames);
-    frames.erase(std::ranges::unique(frames).begin(), frames.end());
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     return frames;
 }
 

@@ -8,9 +8,9 @@
 namespace overfly::config {
 namespace {
 
-constexpr double max_rate_per_s = 1000.0;
+constexpr double kMaxRate_per_s = 1000.0;
 // Bounds the products of frame number and denominator (FrameRate::time_s) far below what 64 bits hold.
-constexpr std::int64_t max_term = 1'000'000;
+constexpr std::int64_t kMaxTerm = 1'000'000;
 
 template <class Number>
 std::optional<Number> whole_text(std::string_view text) {
@@ -21,8 +21,8 @@ std::optional<Number> whole_text(std::string_view text) {
 }
 
 std::optional<FrameRate> lowest_terms(std::int64_t numerator, std::int64_t denominator) {
-    const bool terms_allowed = numerator >= 1 && numerator <= max_term && denominator >= 1 && denominator <= max_term;
-    if (!terms_allowed || static_cast<double>(numerator) > max_rate_per_s * static_cast<double>(denominator)) {
+    const bool terms_allowed = numerator >= 1 && numerator <= kMaxTerm && denominator >= 1 && denominator <= kMaxTerm;
+    if (!terms_allowed || static_cast<double>(numerator) > kMaxRate_per_s * static_cast<double>(denominator)) {
         return std::nullopt;
     }
     const std::int64_t divisor = std::gcd(numerator, denominator);
@@ -38,7 +38,7 @@ std::optional<FrameRate> parse_frame_rate(std::string_view text) {
         return numerator && denominator ? lowest_terms(*numerator, *denominator) : std::nullopt;
     }
     const std::optional<double> rate = whole_text<double>(text);
-    if (!rate || !(*rate > 0.0 && *rate <= max_rate_per_s)) return std::nullopt;
+    if (!rate || !(*rate > 0.0 && *rate <= kMaxRate_per_s)) return std::nullopt;
     for (const std::int64_t nominal : {24, 30, 48, 60, 120}) {
         if (std::abs(*rate - static_cast<double>(nominal) / 1.001) < 0.0005) return lowest_terms(nominal * 1000, 1001);
     }

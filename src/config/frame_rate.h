@@ -8,7 +8,7 @@
 namespace overfly::config {
 
 // What parse_frame_rate takes, for messages.
-inline constexpr std::string_view frame_rate_allowed =
+inline constexpr std::string_view kFrameRateAllowed =
     "frames per second, above 0, up to 1000, with at most three decimals, or a ratio as 24000/1001";
 
 // A rate as a ratio in its lowest terms: "25", "12.5", "24000/1001". A decimal that is within half a thousandth of an

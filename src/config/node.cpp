@@ -9,7 +9,7 @@ namespace overfly::config {
 namespace {
 
 // Longer texts are cut in messages.
-constexpr std::size_t max_quoted_length = 60;
+constexpr std::size_t kMaxQuotedLength = 60;
 
 std::optional<double> spelt_number(std::string_view text) {
     const bool plus = text.starts_with('+');
@@ -52,7 +52,7 @@ std::string on_one_line(std::string text) {
 }
 
 std::string in_quotes(std::string_view text) {
-    std::size_t length = std::min(text.size(), max_quoted_length);
+    std::size_t length = std::min(text.size(), kMaxQuotedLength);
     // Never through the middle of a UTF-8 character: its bytes after the first are 10xxxxxx.
     while (length > 0 && length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
     const std::string shown = on_one_line(std::string(text.substr(0, length)));
@@ -64,7 +64,7 @@ std::string description(const Node& node) {
         case Node::Kind::Nothing:
             return "nothing";
         case Node::Kind::Scalar:
-            return number_of(node) ? node.scalar.substr(0, max_quoted_length) : in_quotes(node.scalar);
+            return number_of(node) ? node.scalar.substr(0, kMaxQuotedLength) : in_quotes(node.scalar);
         case Node::Kind::List:
             return node.items.empty() ? "an empty list" : "a list";
         case Node::Kind::Mapping:

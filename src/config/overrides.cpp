@@ -71,23 +71,24 @@ std::vector<Override> parse_overrides(std::span<const std::string> texts, std::v
 }
 
 std::vector<Override> take_overrides_inside(std::string_view prefix, std::vector<Override>& overrides) {
-    const auto inside = std::ranges::stable_partition(
-        overrides, [&](const Override& o) { return o.keys.size() == 1 || o.keys.front() != prefix; });
-    std::vector<Override> taken(std::move_iterator(inside.begin()), std::move_iterator(inside.end()));
-    overrides.erase(inside.begin(), inside.end());
+    const auto inside = std::stable_partition(overrides.begin(), overrides.end(), [&](const Override& o) {
+        return o.keys.size() == 1 || o.keys.front() != prefix;
+    });
+    std::vector<Override> taken(std::make_move_iterator(inside), std::make_move_iterator(overrides.end()));
+    overrides.erase(inside, overrides.end());
     for (Override& o : taken) o.keys.erase(o.keys.begin());
     return taken;
 }
 
-void apply_override(const Override& override_, Node& document, std::vector<Problem>& problems) {
+void apply_override(const Override& change, Node& document, std::vector<Problem>& problems) {
     try {
         Node* node = &document;
         std::string path;
-        for (const std::string& key : override_.keys) {
-            node = &child(*node, key, path, override_.place);
+        for (const std::string& key : change.keys) {
+            node = &child(*node, key, path, change.place);
             path += (path.empty() ? "" : ".") + key;
         }
-        *node = override_.value;
+        *node = change.value;
     } catch (const UserError& e) {
         problems.insert(problems.end(), e.problems().begin(), e.problems().end());
     }

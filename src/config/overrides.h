@@ -26,6 +26,6 @@ struct Override {
 
 // Puts a value into a document. Mappings on the way that are missing are made: whether their keys are known is for the
 // reader to say. A way through a scalar or past the end of a list is a problem.
-void apply_override(const Override& override_, Node& document, std::vector<Problem>& problems);
+void apply_override(const Override& change, Node& document, std::vector<Problem>& problems);
 
 }  // namespace overfly::config

@@ -66,8 +66,8 @@ bool Section::read_any_number(std::string_view key, std::optional<double>& value
 }
 
 bool Section::read(std::string_view key, bool& value) {
-    static constexpr NamedValue<bool> words[] = {{"true", true}, {"false", false}};
-    return read(key, value, words);
+    static constexpr NamedValue<bool> kWords[] = {{"true", true}, {"false", false}};
+    return read(key, value, kWords);
 }
 
 bool Section::read(std::string_view key, std::string& value, std::string_view allowed) {

@@ -13,9 +13,9 @@ void read_frames(Section& section, FramesDocument& frames) {
     section.read("count", frames.count, {1, 10'000'000});
     section.read("start_s", frames.start_s, {-1'000'000, 1'000'000});
     std::string rate_text;
-    if (!section.read("rate", rate_text, frame_rate_allowed)) return;
+    if (!section.read("rate", rate_text, kFrameRateAllowed)) return;
     const std::optional<FrameRate> rate = parse_frame_rate(rate_text);
-    if (!rate) section.refuse("rate", frame_rate_allowed);
+    if (!rate) section.refuse("rate", kFrameRateAllowed);
     frames.rate = rate.value_or(FrameRate{});
 }
 
@@ -26,18 +26,18 @@ void read_image(Section& section, ImageDocument& image) {
 }
 
 void read_shutter(Section& section, Shutter& shutter) {
-    static constexpr NamedValue<Shutter::Phase> phases[] = {{"start", Shutter::Phase::Start},
-                                                            {"centre", Shutter::Phase::Centre},
-                                                            {"center", Shutter::Phase::Centre},
-                                                            {"end", Shutter::Phase::End}};
+    static constexpr NamedValue<Shutter::Phase> kPhases[] = {{"start", Shutter::Phase::Start},
+                                                             {"centre", Shutter::Phase::Centre},
+                                                             {"center", Shutter::Phase::Centre},
+                                                             {"end", Shutter::Phase::End}};
     section.read("angle_deg", shutter.angle, {0, 360});
-    section.read("phase", shutter.phase, phases);
+    section.read("phase", shutter.phase, kPhases);
 }
 
 void read_sampling(Section& section, SamplingDocument& sampling) {
-    static constexpr NamedValue<TracerKind> tracers[] = {{"interval", TracerKind::Interval},
-                                                         {"discrete", TracerKind::Discrete}};
-    section.read("tracer", sampling.tracer, tracers);
+    static constexpr NamedValue<TracerKind> kTracers[] = {{"interval", TracerKind::Interval},
+                                                          {"discrete", TracerKind::Discrete}};
+    section.read("tracer", sampling.tracer, kTracers);
     section.read("lines", sampling.lines, {1, 1024});
     section.read("samples", sampling.samples, {1, 65536});
 }

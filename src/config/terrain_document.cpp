@@ -5,10 +5,10 @@ namespace overfly {
 namespace config {
 
 void read_terrain(Section& document, TerrainDocument& terrain) {
-    static constexpr NamedValue<VerticalDatum> datums[] = {{"egm96", VerticalDatum::Egm96},
-                                                           {"sea_level", VerticalDatum::Egm96},
-                                                           {"ellipsoid", VerticalDatum::Ellipsoid},
-                                                           {"offset", VerticalDatum::Offset}};
+    static constexpr NamedValue<VerticalDatum> kDatums[] = {{"egm96", VerticalDatum::Egm96},
+                                                            {"sea_level", VerticalDatum::Egm96},
+                                                            {"ellipsoid", VerticalDatum::Ellipsoid},
+                                                            {"offset", VerticalDatum::Offset}};
     ElevationSource& source = terrain.source;
     document.require({"dem"});
     document.read("dem", source.dem, PathTo::Raster);
@@ -16,7 +16,7 @@ void read_terrain(Section& document, TerrainDocument& terrain) {
     document.read("crs", source.crs);
     document.read_any_number("no_data", source.no_data);
     document.read("vertical_unit", source.vertical_unit);
-    document.read("vertical_datum", source.vertical_datum, datums);
+    document.read("vertical_datum", source.vertical_datum, kDatums);
     document.read("vertical_offset_m", source.vertical_offset_m, {-20'000, 20'000});
 
     const bool offset = source.vertical_datum == VerticalDatum::Offset;

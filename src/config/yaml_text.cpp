@@ -15,8 +15,8 @@ namespace {
 
 // Aliases can double a document at each level ("billion laughs"). Both limits are far beyond any flight: a million
 // values are 100,000 keyframes.
-constexpr std::size_t max_depth = 50;
-constexpr std::size_t max_values = 1'000'000;
+constexpr std::size_t kMaxDepth = 50;
+constexpr std::size_t kMaxValues = 1'000'000;
 
 struct Extent {
     std::size_t values = 1, depth = 1;
@@ -121,9 +121,9 @@ class NodeBuilder : public YAML::EventHandler {
 
     void limit(const Place& place, const Extent& added) {
         values_ += added.values;
-        if (values_ > max_values) throw UserError(place, fmt::format("more than {} values", max_values));
-        if (open_.size() + added.depth > max_depth) {
-            throw UserError(place, fmt::format("nested more than {} levels deep", max_depth));
+        if (values_ > kMaxValues) throw UserError(place, fmt::format("more than {} values", kMaxValues));
+        if (open_.size() + added.depth > kMaxDepth) {
+            throw UserError(place, fmt::format("nested more than {} levels deep", kMaxDepth));
         }
     }
 

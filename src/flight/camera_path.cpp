@@ -132,7 +132,8 @@ Transform<Camera, Scene> CameraPose::camera_from_scene() const {
     return inverse(Transform<Scene, Camera>{orientation, {position.x, position.y, position.z}});
 }
 
-CameraPath::CameraPath(std::vector<Keyframe> keyframes, const SceneFrame& frame, const Surroundings& surroundings)
+CameraPath::CameraPath(const std::vector<Keyframe>& keyframes, const SceneFrame& frame,
+                       const Surroundings& surroundings)
     : data_(std::make_shared<const Data>(keyframes, frame, surroundings)) {}
 
 TimeRange CameraPath::times() const { return {data_->times_s.front(), data_->times_s.back()}; }

@@ -31,7 +31,7 @@ class CameraPath {
     // REQUIRES: at least one keyframe; times strictly increasing (with one keyframe, the camera stands still);
     // surroundings answers at every keyframe and target that counts its height from the ground, and neighbouring
     // keyframes are no antipodes (check_keyframes).
-    CameraPath(std::vector<Keyframe> keyframes, const SceneFrame& frame, const Surroundings& surroundings);
+    CameraPath(const std::vector<Keyframe>& keyframes, const SceneFrame& frame, const Surroundings& surroundings);
 
     [[nodiscard]] TimeRange times() const;
     [[nodiscard]] CameraPose pose_at(double time_s) const;

@@ -83,9 +83,9 @@ CrsFromPixel placement(GDALDataset& dataset, Findings& findings) {
 OGRSpatialReference choose_crs(GDALDataset& dataset, const std::string& stated, Findings& findings) {
     OGRSpatialReference crs;
     if (!stated.empty()) {
-        static const char* const kOptions[] = {"ALLOW_NETWORK_ACCESS=NO", nullptr};
+        static const char* const options[] = {"ALLOW_NETWORK_ACCESS=NO", nullptr};
         const GdalMessages messages;
-        if (crs.SetFromUserInput(stated.c_str(), kOptions) != OGRERR_NONE) {
+        if (crs.SetFromUserInput(stated.c_str(), options) != OGRERR_NONE) {
             findings.add(fmt::format("crs: \"{}\" is no coordinate reference system that GDAL knows", stated));
             return OGRSpatialReference();
         }
@@ -117,9 +117,9 @@ void describe_crs(const OGRSpatialReference& whole, ElevationRaster& raster) {
     OGRSpatialReference crs = whole;
     if (crs.IsCompound() != 0) crs.StripVertical();
     if (crs.GetAxesCount() == 3) crs.DemoteTo2D(nullptr);
-    static const char* const kOptions[] = {"FORMAT=WKT2_2019", nullptr};
+    static const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
     char* wkt = nullptr;
-    crs.exportToWkt(&wkt, kOptions);
+    crs.exportToWkt(&wkt, options);
     raster.crs_wkt = wkt != nullptr ? wkt : "";
     CPLFree(wkt);
     raster.crs_name = whole.GetName() != nullptr ? whole.GetName() : "unnamed";

@@ -24,7 +24,7 @@ std::filesystem::path egm96_file() {
     const CPLStringList folders(OSRGetPROJSearchPaths());
     for (int i = 0; i < folders.size(); ++i)
         for (const char* const name : kFileNames)
-            if (const std::filesystem::path file = std::filesystem::path(folders[i]) / name;
+            if (std::filesystem::path file = std::filesystem::path(folders[i]) / name;
                 std::filesystem::is_regular_file(file))
                 return file;
     throw UserError({}, fmt::format("heights above sea level need the EGM96 geoid, and {} is in none of PROJ's data "

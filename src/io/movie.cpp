@@ -44,7 +44,8 @@ DisplayImage movie_picture(const std::filesystem::path& frame) { return even_siz
 
 std::vector<std::string> ffmpeg_arguments(const DisplayImage& first, FrameRate rate,
                                           const std::filesystem::path& output) {
-    return {"ffmpeg", "-nostdin", "-loglevel", "error", "-y",
+    // Without -xerror ffmpeg takes a disk that is full at the end of the file for a success.
+    return {"ffmpeg", "-nostdin", "-loglevel", "error", "-xerror", "-y",
             // what comes in
             "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", fmt::format("{}x{}", first.width, first.height),
             "-framerate", fmt::format("{}/{}", rate.numerator, rate.denominator), "-i", "pipe:0",

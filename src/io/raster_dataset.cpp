@@ -83,7 +83,7 @@ RasterDataset open_raster(const std::filesystem::path& file) {
     if (RasterDataset dataset = try_open(file.string(), GDAL_OF_RASTER)) {
         if (dataset->GetRasterCount() > 0) return dataset;
         const CPLStringList parts(dataset->GetMetadata("SUBDATASETS"), FALSE);
-        if (parts.size() == 0) throw UserError({file}, "holds no raster band");
+        if (parts.empty()) throw UserError({file}, "holds no raster band");
         throw UserError({file},
                         fmt::format("holds {} rasters; take the one with the heights out of it (gdal_translate)",
                                     parts.size() / 2));

@@ -24,4 +24,8 @@ class TemporaryFile {
     bool committed_ = false;
 };
 
+// Removes from `folder` what programs that were killed left there under such names: those of this machine whose
+// process is gone. What other machines and running processes are making stays. Never fails.
+void remove_abandoned_files(const std::filesystem::path& folder);
+
 }  // namespace overfly

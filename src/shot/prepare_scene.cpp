@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "io/content_hash.h"
 #include "io/elevation_file.h"
 #include "io/elevation_inputs.h"
+#include "io/temporary_file.h"
 #include "terrain/triangulate.h"
 
 namespace overfly {
@@ -48,6 +50,7 @@ void try_to_save(const std::filesystem::path& file, const PreparedScene& scene) 
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     if (error) return;
+    remove_abandoned_files(file.parent_path());
     try {
         save_scene(file, scene);
     } catch (const UserError&) {
@@ -71,11 +74,13 @@ std::filesystem::path default_cache_folder() {
 PreparedTerrain prepare_terrain(const TerrainDocument& document, const std::filesystem::path& cache_folder,
                                 const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
-    const std::string hash = content_hash(elevation_inputs(document.source), settings_of(document.source));
+    const std::vector<std::filesystem::path> inputs = elevation_inputs(document.source);
+    const std::string hash = content_hash(inputs, settings_of(document.source));
     const std::filesystem::path file = cache_folder / "scenes" / (hash + ".scene");
     PreparedTerrain terrain;
     if (auto scene = load_scene(file); scene && scene->content_hash == hash) {
         terrain.scene = std::move(*scene);
+        terrain.scene.report.files = inputs;  // the same content may have another name by now
         terrain.from_cache = true;
     } else {
         terrain.scene = prepare(document.source, progress);

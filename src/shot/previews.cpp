@@ -1,27 +1,43 @@
 #include "shot/previews.h"
 
+#include <algorithm>
+#include <system_error>
 #include <vector>
 
 #include "io/contact_sheet.h"
+#include "io/frame_file.h"
 #include "io/movie.h"
 
 namespace overfly {
 
-Previews make_previews(const ShotDocument& shot, std::span<const PlannedFrame> frames, bool frames_changed,
-                       const Progress& progress) {
+namespace {
+
+// Whether a preview is missing, or older than a frame: an earlier run may have been stopped before it made this one.
+bool is_outdated(const std::filesystem::path& preview, std::span<const std::filesystem::path> frames) {
+    std::error_code error;
+    const auto made = std::filesystem::last_write_time(preview, error);
+    if (error) return true;
+    return std::ranges::any_of(frames, [&](const std::filesystem::path& frame) {
+        return std::filesystem::last_write_time(frame, error) > made && !error;
+    });
+}
+
+}  // namespace
+
+Previews make_previews(const ShotDocument& shot, std::span<const PlannedFrame> frames, const std::string& inputs,
+                       bool frames_changed, const Progress& progress) {
     const OutputDocument& output = shot.output;
     std::vector<NumberedFrame> numbered;
     std::vector<std::filesystem::path> files;
     for (const PlannedFrame& f : frames) {
-        if (!std::filesystem::exists(f.file)) continue;
+        // Frames of an earlier version of the shot may even have another size.
+        if (!std::filesystem::exists(f.file) || frame_inputs(f.file) != inputs) continue;
         numbered.push_back({f.number, f.file});
         files.push_back(f.file);
     }
     Previews previews;
     if (files.empty()) return previews;
-    const auto is_due = [&](const std::filesystem::path& file) {
-        return frames_changed || !std::filesystem::exists(file);
-    };
+    const auto is_due = [&](const std::filesystem::path& file) { return frames_changed || is_outdated(file, files); };
     if (output.contact_sheet) {
         previews.contact_sheet = output.folder / (output.name + ".contact.png");
         if (progress) progress("making the contact sheet", 0.0, 0.0);

@@ -20,7 +20,8 @@ struct ShotOutcome {
     bool our_fault = false;              // something that is not the user's to mend
 };
 
-// Renders shots one after another; one that fails does not keep the others from being rendered.
+// Renders shots one after another; one that fails does not keep the others from being rendered. One that would write
+// over the frames of an earlier one fails.
 // overrides: as for read_shot_document, for every shot. Throws Interrupted only.
 [[nodiscard]] std::vector<ShotOutcome> render_batch(std::span<const std::filesystem::path> shots,
                                                     std::span<const std::string> overrides,

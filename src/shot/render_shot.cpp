@@ -11,8 +11,10 @@
 #include "core/version.h"
 #include "io/colour_relief_file.h"
 #include "io/frame_file.h"
+#include "io/temporary_file.h"
 #include "shade/hypsometric.h"
 #include "shot/expose_piece.h"
+#include "shot/flight_notes.h"
 #include "shot/previews.h"
 #include "shot/shot_inputs.h"
 #include "shot/shot_motion.h"
@@ -103,11 +105,10 @@ class FrameLoop {
 
     void write_closed(double until_s) {
         const Stopwatch watch;
-        const auto still_open = std::ranges::stable_partition(
-            open_, [&](const OpenFrame& open) { return open.frame.exposure.end_s <= until_s; });
-        std::vector<OpenFrame> closed(std::make_move_iterator(open_.begin()),
-                                      std::make_move_iterator(still_open.begin()));
-        open_.erase(open_.begin(), still_open.begin());
+        const auto still_open = std::stable_partition(
+            open_.begin(), open_.end(), [&](const OpenFrame& open) { return open.frame.exposure.end_s <= until_s; });
+        std::vector<OpenFrame> closed(std::make_move_iterator(open_.begin()), std::make_move_iterator(still_open));
+        open_.erase(open_.begin(), still_open);
         parallel_for(closed.size(), [&](std::size_t i) {
             write_frame(closed[i].frame.file, std::move(closed[i].film).develop(), header_of(closed[i].frame));
         });
@@ -206,10 +207,22 @@ std::vector<PlannedFrame> chosen(const std::vector<PlannedFrame>& frames, const 
     return out;
 }
 
+// Every long job reports its progress, so the user's wish to stop is looked at there as well.
+RenderOptions stoppable(RenderOptions options) {
+    if (!options.should_stop) return options;
+    options.progress = [should_stop = options.should_stop, progress = options.progress](std::string_view what,
+                                                                                        double done, double total) {
+        if (should_stop()) throw Interrupted();
+        if (progress) progress(what, done, total);
+    };
+    return options;
+}
+
 }  // namespace
 
-RenderResult render_shot(const ShotDocument& shot, const RenderOptions& options) {
+RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
     const Stopwatch watch;
+    const RenderOptions options = stoppable(asked);
     Rendering rendering{shot, options};
     RenderResult& result = rendering.result;
     const Stage stage(prepare_terrain(shot.terrain, options.cache_folder, options.progress), middle_of(shot.flight));
@@ -220,7 +233,9 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& options)
     result.frames_in_shot = static_cast<int>(frames.size());
     result.frames_wanted = static_cast<int>(wanted.size());
     result.folder = shot.output.folder;
+    for (const std::string& note : flight_notes(wanted, path, stage.surroundings())) rendering.say(note);
     make_folder(shot.output.folder);
+    remove_abandoned_files(shot.output.folder);
     const std::string inputs = shot_inputs_hash(shot, stage.terrain().scene.content_hash);
     const std::vector<PlannedFrame> missing = frames_to_render(rendering, wanted, inputs);
     if (!missing.empty()) {
@@ -230,7 +245,7 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& options)
         render_frames(rendering, stage, path, motion, missing, inputs);
     }
     const Stopwatch preview_watch;
-    result.previews = make_previews(shot, frames, result.frames_rendered > 0, options.progress);
+    result.previews = make_previews(shot, frames, inputs, result.frames_rendered > 0, options.progress);
     result.preview_s = preview_watch.seconds();
     result.total_s = watch.seconds();
     return result;
