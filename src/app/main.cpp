@@ -1,4 +1,5 @@
 #include <array>
+#include <csignal>
 #include <exception>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include "app/stop_signal.h"
 #include "app/verbs.h"
 #include "config/library_versions.h"
+#include "config/nearest_word.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/version.h"
@@ -42,6 +44,31 @@ std::string version_text() {
     return text;
 }
 
+constexpr int kMostThreads = 4096;
+
+// What to say where no verb was given.
+std::string no_verb_text(const std::vector<std::string>& arguments) {
+    std::vector<std::string> verbs;
+    for (const Verb& verb : kVerbs) verbs.emplace_back(verb.name);
+    const std::string known = fmt::format("{}", fmt::join(verbs, ", "));
+    if (arguments.empty()) return fmt::format("a verb is missing; known: {}", known);
+    const std::string& got = arguments.front();
+    if (got.starts_with('-')) return fmt::format("unknown option '{}'; a verb comes first: {}", got, known);
+    const auto meant = config::nearest_word(got, verbs);
+    return fmt::format("unknown verb '{}'; {}known: {}", got, meant ? fmt::format("did you mean '{}'? ", *meant) : "",
+                       known);
+}
+
+// Prints help and versions on standard output, and what is wrong with a command line in one line.
+int end_parsing(const CLI::App& program, const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(error);
+    const auto verbs = program.get_subcommands();
+    const std::string what = verbs.empty() ? no_verb_text(program.remaining()) : std::string(error.what());
+    const std::string help = verbs.empty() ? "overfly --help" : fmt::format("overfly {} --help", verbs[0]->get_name());
+    print_to_stderr(fmt::format("overfly: {} ({} tells more)\n", what, help));
+    return kUserCanFix;
+}
+
 int run(int argc, char** argv) {
     CLI::App program("Overfly turns elevation data and a camera path into a terrain fly-by with exact motion blur.",
                      "overfly");
@@ -52,7 +79,7 @@ int run(int argc, char** argv) {
     for (const Verb& verb : kVerbs) {
         CLI::App* sub = program.add_subcommand(verb.name, verb.description);
         sub->add_option("--threads", common.threads, "threads to use (all that the machine has)")
-            ->check(CLI::PositiveNumber);
+            ->check(CLI::Range(1, kMostThreads));
         sub->add_flag("--quiet", common.quiet, "say nothing but errors");
         sub->add_flag("--json", common.json, "the result as JSON on standard output");
         const RunVerb run_verb = verb.add(*sub);
@@ -61,11 +88,17 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? kDone : kUserCanFix;
+        return end_parsing(program, error);
     }
     if (common.threads > 0) limit_threads(common.threads);
-    catch_stop_signals();
+    // A file beyond its limit is an error with a name, as a full disk is, and not the program's end.
+    std::signal(SIGXFSZ, SIG_IGN);
     return chosen();
+}
+
+int tell_stopped() {
+    print_to_stderr("stopped; what was finished is complete, and a second run goes on from there\n");
+    return kInterrupted;
 }
 
 // The only place where errors end: a line for each problem, and the exit code.
@@ -73,16 +106,17 @@ int run_and_catch(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const UserError& error) {
-        for (const Problem& problem : error.problems()) fmt::print(stderr, "{}\n", problem.text());
+        // Ctrl-C reaches the encoder as well, whose sudden end isn't what the user has to mend.
+        if (stop_was_asked()) return tell_stopped();
+        for (const Problem& problem : error.problems()) print_to_stderr(problem.text() + "\n");
         return kUserCanFix;
     } catch (const Interrupted&) {
-        fmt::print(stderr, "\nstopped; what was finished is complete, and a second run goes on from there\n");
-        return kInterrupted;
+        return tell_stopped();
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "overfly: out of memory\n");
+        print_to_stderr("overfly: out of memory\n");
         return kUserCanFix;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "overfly: internal error: {}\n", error.what());
+        print_to_stderr(fmt::format("overfly: internal error: {}\n", error.what()));
         return kOurFault;
     }
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "config/documents.h"
+
 namespace CLI {
 class App;
 }
@@ -18,6 +20,8 @@ struct ShotArguments {
     void add_to(CLI::App& verb);
     // key=value, in the order in which they are to be put in.
     [[nodiscard]] std::vector<std::string> assignments() const;
+    // The shot document with all of them put in. Throws UserError, also where the file is a document of another kind.
+    [[nodiscard]] ShotDocument read(const std::string& file) const;
 };
 
 }  // namespace overfly

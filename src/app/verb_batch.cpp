@@ -66,6 +66,7 @@ nlohmann::ordered_json batch_json(const std::vector<ShotOutcome>& outcomes) {
 }
 
 int run_batch(const Arguments& arguments, const CommonOptions& common) {
+    catch_stop_signals();
     Console console(common);
     RenderOptions options;
     options.cache_folder = default_cache_folder();
@@ -74,7 +75,7 @@ int run_batch(const Arguments& arguments, const CommonOptions& common) {
     options.should_stop = stop_was_asked;
     const auto outcomes = render_batch(shots_of(arguments.documents), arguments.overrides.assignments(), options);
     const int exit_code = report(console, outcomes);
-    if (common.json) fmt::print("{}\n", batch_json(outcomes).dump(2));
+    console.result("", batch_json(outcomes));
     return exit_code;
 }
 

@@ -5,7 +5,6 @@
 #include "app/render_json.h"
 #include "app/shot_arguments.h"
 #include "app/verbs.h"
-#include "config/read.h"
 #include "shot/bench_flight.h"
 #include "shot/prepare_scene.h"
 
@@ -24,7 +23,7 @@ nlohmann::ordered_json bench_json(const BenchResult& r) {
             {"frames", r.frames},
             {"triangles", r.triangles},
             {"visibility_ns_per_pixel_frame",
-             {{"discrete", r.discrete.ns_per_pixel_frame}, {"interval", r.interval.ns_per_pixel_frame}}},
+             {{"discrete", r.discrete.ns_per_sample}, {"interval", r.interval.ns_per_sample}}},
             {"discrete", counters_json(r.discrete.counters)},
             {"interval", counters_json(r.interval.counters)},
             {"agreement",
@@ -35,23 +34,25 @@ nlohmann::ordered_json bench_json(const BenchResult& r) {
               {"unexplained", r.agreement.unexplained}}}};
 }
 
-void print_bench(const BenchResult& r) {
-    fmt::print("{} x {}, {} frames, {} triangles, one thread\n\n", r.width, r.height, r.frames, r.triangles);
-    fmt::print("visibility, ns per pixel and frame    discrete {:8.1f}    interval {:8.1f}\n",
-               r.discrete.ns_per_pixel_frame, r.interval.ns_per_pixel_frame);
+std::string bench_text(const BenchResult& r) {
+    std::string text =
+        fmt::format("{} x {}, {} frames, {} triangles, one thread\n\n", r.width, r.height, r.frames, r.triangles);
+    text += fmt::format("visibility, ns per pixel and frame    discrete {:8.1f}    interval {:8.1f}\n",
+                        r.discrete.ns_per_sample, r.interval.ns_per_sample);
     const TraceCounters& c = r.interval.counters;
     const double rays = static_cast<double>(c.rays);
-    fmt::print(
+    text += fmt::format(
         "interval, per ray and piece           box tests {:.1f}, hits {:.1f}; triangle tests {:.1f}, hits {:.1f}; "
         "segments {:.1f}\n",
         static_cast<double>(c.box_tests) / rays, static_cast<double>(c.box_hits) / rays,
         static_cast<double>(c.triangle_tests) / rays, static_cast<double>(c.triangle_hits) / rays,
         static_cast<double>(c.segments) / rays);
-    fmt::print(
+    text += fmt::format(
         "agreement at {} random pairs      {:.4f} % the same triangle; else {} the same depth, {} at an edge, {} "
         "neither\n",
         r.agreement.pairs, 100.0 * r.agreement.same_share(), r.agreement.same_depth, r.agreement.near_edge,
         r.agreement.unexplained);
+    return text;
 }
 
 int run_flight(const Arguments& arguments, const CommonOptions& common) {
@@ -60,13 +61,8 @@ int run_flight(const Arguments& arguments, const CommonOptions& common) {
     options.agreement_pairs = arguments.pairs;
     options.cache_folder = default_cache_folder();
     options.progress = console.progress();
-    const BenchResult result =
-        bench_flight(read_shot_document(arguments.shot, arguments.overrides.assignments()), options);
-    if (common.json) {
-        fmt::print("{}\n", bench_json(result).dump(2));
-    } else {
-        print_bench(result);
-    }
+    const BenchResult result = bench_flight(arguments.overrides.read(arguments.shot), options);
+    console.result(bench_text(result), bench_json(result));
     return kDone;
 }
 
@@ -80,7 +76,7 @@ RunVerb add_bench(CLI::App& verb) {
     flight->fallthrough();
     flight->add_option("shot", arguments->shot, "the shot document, configs/NAME.yaml")->required();
     flight->add_option("--pairs", arguments->pairs, "random (sample, time) pairs to compare")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1L, 1'000'000'000L));
     arguments->overrides.add_to(*flight);
     return [arguments](const CommonOptions& common) { return run_flight(*arguments, common); };
 }

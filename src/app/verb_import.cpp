@@ -45,6 +45,28 @@ double peak_memory_mb() {
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+bool is_document(const std::filesystem::path& file) {
+    return file.extension() == ".yaml" || file.extension() == ".yml";
+}
+
+// A terrain document with what the command line says put in.
+TerrainDocument amended_document(const Arguments& arguments) {
+    std::vector<std::string> overrides;
+    const auto add = [&](const char* key, const std::string& value) {
+        if (!value.empty()) overrides.push_back(fmt::format("{}={}", key, value));
+    };
+    if (arguments.band) add("band", fmt::format("{}", *arguments.band));
+    if (arguments.no_data) add("no_data", fmt::format("{}", *arguments.no_data));
+    add("crs", arguments.crs);
+    add("vertical_unit", arguments.vertical_unit);
+    add("vertical_datum", arguments.vertical_datum);
+    if (arguments.vertical_offset_m) {
+        add("vertical_datum", "offset");
+        add("vertical_offset_m", fmt::format("{}", *arguments.vertical_offset_m));
+    }
+    return read_terrain_document(arguments.dem.front(), overrides);
+}
+
 VerticalDatum datum_named(const Arguments& arguments) {
     if (arguments.vertical_offset_m) return VerticalDatum::Offset;
     if (arguments.vertical_datum.empty()) return VerticalDatum::Unstated;
@@ -53,9 +75,10 @@ VerticalDatum datum_named(const Arguments& arguments) {
 
 // What the command line says, as the document that -o writes.
 TerrainDocument document_of(const Arguments& arguments) {
-    const std::filesystem::path first = arguments.dem.front();
-    if (arguments.dem.size() == 1 && (first.extension() == ".yaml" || first.extension() == ".yml")) {
-        return read_terrain_document(first);
+    const auto document_file = std::ranges::find_if(arguments.dem, is_document);
+    if (document_file != arguments.dem.end()) {
+        if (arguments.dem.size() == 1) return amended_document(arguments);
+        throw UserError({*document_file}, "a terrain document is imported alone, not together with other files");
     }
     TerrainDocument document;
     document.file = arguments.output;
@@ -82,11 +105,14 @@ void write_document(const TerrainDocument& document, const std::filesystem::path
 
 std::string share_text(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
 
-void print_report(const PreparedTerrain& terrain) {
+std::string report_text(const PreparedTerrain& terrain) {
     const ElevationReport& r = terrain.scene.report;
     const TerrainMesh& mesh = terrain.scene.mesh;
     const SceneBounds b = bounds_of(mesh);
-    const auto line = [](const char* what, const std::string& value) { fmt::print("{:<18}{}\n", what, value); };
+    std::string text_lines;
+    const auto line = [&](const char* what, const std::string& value) {
+        text_lines += fmt::format("{:<18}{}\n", what, value);
+    };
     for (std::size_t i = 0; i < r.files.size(); ++i) line(i == 0 ? "files" : "", r.files[i].string());
     line("format", r.driver);
     line("CRS", r.crs_authority.empty() ? r.crs_name : fmt::format("{} ({})", r.crs_name, r.crs_authority));
@@ -112,6 +138,7 @@ void print_report(const PreparedTerrain& terrain) {
          fmt::format("{:.2f} s{}", terrain.seconds, terrain.from_cache ? " (prepared earlier; inputs unchanged)" : ""));
     line("memory", fmt::format("{:.0f} MB at most, mesh {:.0f} MB", peak_memory_mb(),
                                static_cast<double>(mesh.memory_bytes()) / 1048576.0));
+    return text_lines;
 }
 
 nlohmann::ordered_json report_json(const PreparedTerrain& terrain) {
@@ -157,11 +184,7 @@ int run_import(const Arguments& arguments, const CommonOptions& common) {
         write_document(document, arguments.output);
         console.say(fmt::format("wrote {}", arguments.output));
     }
-    if (common.json) {
-        fmt::print("{}\n", report_json(terrain).dump(2));
-    } else {
-        print_report(terrain);
-    }
+    console.result(report_text(terrain), report_json(terrain));
     return kDone;
 }
 
@@ -171,7 +194,8 @@ RunVerb add_import(CLI::App& verb) {
     const auto arguments = std::make_shared<Arguments>();
     verb.add_option("dem", arguments->dem, "rasters of elevation, or a terrain document")->required();
     verb.add_option("-o,--output", arguments->output, "the terrain document to write, terrain/NAME.yaml");
-    verb.add_option("--band", arguments->band, "the band that holds heights, from 1")->check(CLI::PositiveNumber);
+    verb.add_option("--band", arguments->band, "the band that holds heights, from 1")
+        ->check(CLI::Range(1, std::numeric_limits<int>::max()));
     verb.add_option("--crs", arguments->crs,
                     "the coordinate reference system, where the file has none or a wrong one: EPSG:4326");
     verb.add_option("--no-data", arguments->no_data, "the value that means nothing was measured");

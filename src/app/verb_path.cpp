@@ -48,30 +48,34 @@ FlightOverTerrain read_documents(const Arguments& arguments) {
             std::nullopt};
 }
 
-void print_report(const PathReport& r) {
-    const auto line = [](const char* what, const std::string& value) { fmt::print("{:<22}{}\n", what, value); };
+std::string line(const char* what, const std::string& value) { return fmt::format("{:<22}{}\n", what, value); }
+
+std::string report_text(const PathReport& r) {
+    std::string text;
+    const auto add = [&](const char* what, const std::string& value) { text += line(what, value); };
     const auto extreme = [](const Extreme& e, const char* unit) {
         return fmt::format("{:.1f} {} at {:.2f} s", e.value, unit, e.time_s);
     };
-    line("duration", fmt::format("{:.3f} s", r.duration_s));
-    line("length", fmt::format("{:.1f} m", r.length_m));
-    line("climb", fmt::format("{:.1f} m", r.climb_m));
-    line("speed, mean", fmt::format("{:.1f} m/s", r.mean_m_per_s));
-    line("speed, slowest", extreme(r.slowest_m_per_s, "m/s"));
-    line("speed, fastest", extreme(r.fastest_m_per_s, "m/s"));
-    line("hardest acceleration", extreme(r.hardest_g, "g"));
-    line("fastest turn", extreme(r.fastest_turn_deg_per_s, "deg/s"));
-    line("  heading", extreme(r.fastest_heading_deg_per_s, "deg/s"));
-    line("  pitch", extreme(r.fastest_pitch_deg_per_s, "deg/s"));
-    line("  roll", extreme(r.fastest_roll_deg_per_s, "deg/s"));
+    add("duration", fmt::format("{:.3f} s", r.duration_s));
+    add("length", fmt::format("{:.1f} m", r.length_m));
+    add("climb", fmt::format("{:.1f} m", r.climb_m));
+    add("speed, mean", fmt::format("{:.1f} m/s", r.mean_m_per_s));
+    add("speed, slowest", extreme(r.slowest_m_per_s, "m/s"));
+    add("speed, fastest", extreme(r.fastest_m_per_s, "m/s"));
+    add("hardest acceleration", extreme(r.hardest_g, "g"));
+    add("fastest turn", extreme(r.fastest_turn_deg_per_s, "deg/s"));
+    add("  heading", extreme(r.fastest_heading_deg_per_s, "deg/s"));
+    add("  pitch", extreme(r.fastest_pitch_deg_per_s, "deg/s"));
+    add("  roll", extreme(r.fastest_roll_deg_per_s, "deg/s"));
     if (r.lowest) {
-        line("lowest clearance", fmt::format("{:.1f} m at {:.2f} s, lon {:.5f} lat {:.5f}", r.lowest->clearance_m,
-                                             r.lowest->time_s, r.lowest->lon.degrees(), r.lowest->lat.degrees()));
+        add("lowest clearance", fmt::format("{:.1f} m at {:.2f} s, lon {:.5f} lat {:.5f}", r.lowest->clearance_m,
+                                            r.lowest->time_s, r.lowest->lon.degrees(), r.lowest->lat.degrees()));
     } else {
-        line("lowest clearance", "no ground under the flight");
+        add("lowest clearance", "no ground under the flight");
     }
     if (r.off_terrain_share > 0.0)
-        line("off the terrain", fmt::format("{:.1f} % of the time", 100.0 * r.off_terrain_share));
+        add("off the terrain", fmt::format("{:.1f} % of the time", 100.0 * r.off_terrain_share));
+    return text;
 }
 
 nlohmann::ordered_json extreme_json(const Extreme& e) { return {{"value", e.value}, {"time_s", e.time_s}}; }
@@ -106,18 +110,16 @@ int run_path(const Arguments& arguments, const CommonOptions& common) {
     const CameraPath path = make_path(both.flight, stage);
     const PathReport report = report_path(path, stage.surroundings(), kSamplesPerSecond);
     nlohmann::ordered_json json = report_json(report);
-    if (!common.json) print_report(report);
+    std::string text = report_text(report);
     if (both.shot) {
         const Motion motion = shot_motion(*both.shot, path, plan_frames(*both.shot, path.times()), stage);
         json["motion"] = {{"pieces", motion.pieces.size()},
                           {"bound_px", motion.bound_px},
                           {"largest_error_px", motion.largest_error_px}};
-        if (!common.json) {
-            fmt::print("{:<22}{} pieces, {:.4f} px from the exact path at most (bound {} px)\n", "motion",
-                       motion.pieces.size(), motion.largest_error_px, motion.bound_px);
-        }
+        text += line("motion", fmt::format("{} pieces, {:.4f} px from the exact path at most (bound {} px)",
+                                           motion.pieces.size(), motion.largest_error_px, motion.bound_px));
     }
-    if (common.json) fmt::print("{}\n", json.dump(2));
+    console.result(text, json);
     if (!report.goes_below_ground()) return kDone;
     throw UserError({both.flight.file},
                     fmt::format("the flight goes {:.1f} m below the ground at {:.2f} s, between its keyframes; "

@@ -8,7 +8,6 @@
 #include "app/shot_arguments.h"
 #include "app/stop_signal.h"
 #include "app/verbs.h"
-#include "config/read.h"
 #include "shot/prepare_scene.h"
 #include "shot/render_shot.h"
 
@@ -29,8 +28,9 @@ void summarise(Console& console, const RenderResult& r) {
 }
 
 int run_render(const Arguments& arguments, const CommonOptions& common) {
+    catch_stop_signals();
     Console console(common);
-    const ShotDocument shot = read_shot_document(arguments.shot, arguments.overrides.assignments());
+    const ShotDocument shot = arguments.overrides.read(arguments.shot);
     RenderOptions options;
     options.frames = arguments.frames;
     options.cache_folder = default_cache_folder();
@@ -39,7 +39,7 @@ int run_render(const Arguments& arguments, const CommonOptions& common) {
     options.should_stop = stop_was_asked;
     const RenderResult result = render_shot(shot, options);
     summarise(console, result);
-    if (common.json) fmt::print("{}\n", render_json(result).dump(2));
+    console.result("", render_json(result));
     return kDone;
 }
 
