@@ -4,6 +4,7 @@
 
 #include "app/render_json.h"
 #include "app/shot_arguments.h"
+#include "app/verb_bench_paper.h"
 #include "app/verbs.h"
 #include "shot/bench_flight.h"
 #include "shot/prepare_scene.h"
@@ -78,7 +79,10 @@ RunVerb add_bench(CLI::App& verb) {
     flight->add_option("--pairs", arguments->pairs, "random (sample, time) pairs to compare")
         ->check(CLI::Range(1L, 1'000'000'000L));
     arguments->overrides.add_to(*flight);
-    return [arguments](const CommonOptions& common) { return run_flight(*arguments, common); };
+    const RunVerb run_paper = add_bench_paper(verb);
+    return [arguments, run_paper, &verb](const CommonOptions& common) {
+        return verb.got_subcommand("paper") ? run_paper(common) : run_flight(*arguments, common);
+    };
 }
 
 }  // namespace overfly

@@ -1,8 +1,9 @@
 #include "shot/bench_flight.h"
 
-#include <ctime>
+#include <algorithm>
 
 #include "shot/expose_piece.h"
+#include "shot/processor_time.h"
 #include "shot/shot_motion.h"
 #include "shot/stage.h"
 
@@ -27,13 +28,6 @@ struct Work {
     }
 };
 
-// Of this thread alone, so that a busy machine does not count.
-double processor_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 template <class AnyTracer>
 double seconds_of(const AnyTracer& tracer, const Work& work, TraceCounters& counters) {
     SegmentLists lists;
@@ -48,7 +42,8 @@ double seconds_of(const AnyTracer& tracer, const Work& work, TraceCounters& coun
 std::vector<TileSamples> some_tiles(PictureSize size) {
     std::vector<TileSamples> out;
     const std::vector<PixelTile> tiles = tiles_of(size);
-    for (std::size_t i = 0; i < tiles.size(); i += kEveryTile) out.push_back(samples_of(tiles[i], size, kSamplesPerPixel));
+    for (std::size_t i = 0; i < tiles.size(); i += kEveryTile)
+        out.push_back(samples_of(tiles[i], size, kSamplesPerPixel));
     return out;
 }
 
