@@ -19,12 +19,19 @@ struct Arguments {
     ShotArguments overrides;
 };
 
+// As one would type it from here: a document's folder may be said by way of the document's own.
+std::string from_here(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path shorter = std::filesystem::proximate(path, error);
+    return error || shorter.string().size() >= path.string().size() ? path.string() : shorter.string();
+}
+
 void summarise(Console& console, const RenderResult& r) {
-    console.say(fmt::format("{}: {} of {} frames rendered, {} kept, in {:.1f} s", r.folder.string(), r.frames_rendered,
-                            r.frames_wanted, r.frames_kept, r.total_s));
+    console.say(fmt::format("{}: {} of {} frames rendered, {} kept, in {:.1f} s", from_here(r.folder),
+                            r.frames_rendered, r.frames_wanted, r.frames_kept, r.total_s));
     if (!r.previews.contact_sheet.empty())
-        console.say(fmt::format("contact sheet: {}", r.previews.contact_sheet.string()));
-    if (!r.previews.movie.empty()) console.say(fmt::format("preview movie: {}", r.previews.movie.string()));
+        console.say(fmt::format("contact sheet: {}", from_here(r.previews.contact_sheet)));
+    if (!r.previews.movie.empty()) console.say(fmt::format("preview movie: {}", from_here(r.previews.movie)));
 }
 
 int run_render(const Arguments& arguments, const CommonOptions& common) {

@@ -15,6 +15,9 @@ struct Case {
     bool dives;
 };
 
+// How GoogleTest names a case.
+void PrintTo(const Case& c, std::ostream* out) { *out << c.dem << (c.dives ? ", a dive" : ", level"); }
+
 class SharedTerrain : public ::testing::TestWithParam<Case> {};
 
 // 30 m projected; 1 m lidar with sheer walls; geographic with voids.
