@@ -34,8 +34,8 @@ inline constexpr std::array<GaussRule, 3> kGaussRules = {{
 // Shares of the exposure from which a stretch gets two and three points. They matter where a triangle is seen for most
 // of an exposure, in slow shots and near the ground; a fast flight crosses triangles so quickly that one point a
 // stretch is as good (banded ground, a dive, 16 lines: RMSE .00200 with one point throughout, .00200 with three).
-inline constexpr double kTwoPointShare = 0.2;
-inline constexpr double kThreePointShare = 0.6;
+inline constexpr double kTwoPointShare = 0.5;
+inline constexpr double kThreePointShare = 0.9;
 
 template <class Segment, class Deposit>
 void deposit_stretch(const Segment* segment, TimeRange stretch, double exposure_s, const Deposit& deposit) {
