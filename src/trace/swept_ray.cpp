@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/polynomial_roots.h"
+#include "trace/inside_stretches.h"
 #include "trace/line.h"
 #include "trace/plane_depth.h"
 #include "trace/swept_ray.h"
@@ -301,59 +301,14 @@ class Walk {
         return record(triangle, depth, cell, 0.0, 1.0);
     }
 
-    // Which side of an edge the line is on within one cell: all through, or by a polynomial that changes sign.
-    struct Side {
-        bool changes = false;
-        double constant = 0.0;  // of the sign that it keeps
-        std::array<double, 5> monomials{};
-
-        [[nodiscard]] double at(double u) const {
-            if (!changes) return constant;
-            const auto& c = monomials;
-            return c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * c[4])));
-        }
-    };
-
-    // The side of edge k, and the times at which it changes, added to `cuts`.
-    Side side_in(std::size_t k, std::size_t cell, double* cuts, std::size_t& count) const {
-        Bernstein<4> b;
-        for (std::size_t j = 0; j < 5; ++j) b[j] = coefficients_[k][j][cell];
-        const auto [least, most] = std::minmax_element(b.begin(), b.end());
-        Side side;
-        if (*least >= 0.0 || *most <= 0.0) {
-            side.constant = *least + *most;
-            return side;
-        }
-        side.changes = true;
-        side.monomials = monomials<4>(b);
-        for (const double u : sign_change_roots<4>(b)) cuts[count++] = u;
-        return side;
-    }
-
-    // Cuts the cell where the line crosses a side, or the camera the plane, and keeps the stretches inside.
     bool record_parts(TriangleId triangle, const PlaneDepth& depth, std::size_t cell) {
-        std::array<double, 16> cuts;
-        std::size_t count = 0;
-        cuts[count++] = 0.0;
-        const std::array<Side, 3> sides = {side_in(0, cell, cuts.data(), count), side_in(1, cell, cuts.data(), count),
-                                           side_in(2, cell, cuts.data(), count)};
-        for (const double u : sign_change_roots<2>(depth.numerator_in(*ray_->cells, cell))) cuts[count++] = u;
-        cuts[count++] = 1.0;
-        if (count > 3) std::sort(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(count));
-        bool hit = false;
-        double open_since = -1.0;  // start of a stretch that may go on
-        for (std::size_t i = 0; i + 1 < count; ++i) {
-            const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
-            const EdgeValues values = {{sides[0].at(middle), sides[1].at(middle), sides[2].at(middle)}};
-            const bool seen =
-                values.inside() && cuts[i + 1] > cuts[i] && depth.at(ray_->cells->piece_u(cell, middle)) > 0.0;
-            if (seen && open_since < 0.0) open_since = cuts[i];
-            const bool ends = open_since >= 0.0 && (!seen || i + 2 == count);
-            if (ends) {
-                hit |= record(triangle, depth, cell, open_since, seen ? cuts[i + 1] : cuts[i]);
-                open_since = -1.0;
-            }
+        LineInCell line;
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t j = 0; j < 5; ++j) line.side[k][j] = coefficients_[k][j][cell];
         }
+        line.depth_numerator = depth.numerator_in(*ray_->cells, cell);
+        bool hit = false;
+        for (const Stretch& s : inside_stretches(line)) hit |= record(triangle, depth, cell, s.begin, s.end);
         return hit;
     }
 
