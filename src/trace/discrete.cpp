@@ -11,8 +11,9 @@
 namespace overfly {
 namespace {
 
-// Embree decides sides from float coordinates relative to the ray's origin: subtraction, cross product and dot product
-// leave an error of some 8 roundings (2^-24) of the distance in where an edge is. Twice that, as an angle.
+// Embree decides sides from float coordinates relative to the ray's origin, so an edge is off by a few roundings
+// (2^-24) of the distance. Sixteen, as an angle: assumed, not derived; held by the agreement with double on real
+// terrain.
 constexpr float kFloatAngle = 0x1p-20F;
 
 // Vertices and the ray's origin are rounded to float relative to the float centre.
