@@ -8,7 +8,7 @@
 
 namespace overfly {
 
-FarGround::FarGround(const TerrainMesh& mesh, const GroundLight& light) {
+FarGround::FarGround(const TriangleMesh& mesh, const GroundLight& light) {
     struct Post {
         double height_m;
         VertexId vertex;

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "core/colour.h"
+#include "mesh/triangle_mesh.h"
 #include "shade/ground_light.h"
-#include "terrain/terrain_mesh.h"
 
 namespace overfly {
 
@@ -15,7 +15,7 @@ struct FarGround {
     Rgb radiance;
 
     // REQUIRES: light is that of the mesh. Only the lower half of the border counts: the plain between the mountains.
-    FarGround(const TerrainMesh& mesh, const GroundLight& light);
+    FarGround(const TriangleMesh& mesh, const GroundLight& light);
 
     // How far a view along a unit direction is from it; nothing if it does not meet it, or starts below.
     [[nodiscard]] std::optional<double> distance_m(Point<Scene> from, Vector<Scene> direction) const;

@@ -55,7 +55,7 @@ std::array<SkySet, kSets> sky_sets(const Daylight& day) {
 std::uint32_t set_of(std::size_t vertex) { return (static_cast<std::uint32_t>(vertex) * 2654435761U) >> 30U; }
 
 // Each value becomes the mean of itself and its neighbours' mean along the sides of the triangles.
-std::vector<float> averaged(const TerrainMesh& mesh, const std::vector<float>& values) {
+std::vector<float> averaged(const TriangleMesh& mesh, const std::vector<float>& values) {
     std::vector<float> sum(values.size(), 0.0F);
     std::vector<float> count(values.size(), 0.0F);
     for (const auto& t : mesh.triangles) {
@@ -72,7 +72,7 @@ std::vector<float> averaged(const TerrainMesh& mesh, const std::vector<float>& v
 
 }  // namespace
 
-std::vector<SkyLight> sky_light(const TerrainMesh& mesh, std::span<const Vector<Scene>> normals, const Daylight& day,
+std::vector<SkyLight> sky_light(const TriangleMesh& mesh, std::span<const Vector<Scene>> normals, const Daylight& day,
                                 const IsBlocked& is_blocked, const Progress& progress) {
     static_assert(kSets == 4, "set_of");
     const std::array<SkySet, kSets> sets = sky_sets(day);

@@ -27,7 +27,7 @@ constexpr double kLift = 0.02;
 // What each corner gets of the sunlit places.
 using Corners = std::array<float, 3>;
 
-Corners sunlit(const TerrainMesh& mesh, TriangleId triangle, const std::array<Vector<Scene>, 4>& to_sun,
+Corners sunlit(const TriangleMesh& mesh, TriangleId triangle, const std::array<Vector<Scene>, 4>& to_sun,
                const IsBlocked& is_blocked) {
     const auto& ids = mesh.triangles[triangle];
     const Point<Scene> a = mesh.positions[ids[0]];
@@ -46,7 +46,7 @@ Corners sunlit(const TerrainMesh& mesh, TriangleId triangle, const std::array<Ve
 
 }  // namespace
 
-std::vector<float> sun_share(const TerrainMesh& mesh, Vector<Scene> to_sun, const IsBlocked& is_blocked,
+std::vector<float> sun_share(const TriangleMesh& mesh, Vector<Scene> to_sun, const IsBlocked& is_blocked,
                              const Progress& progress) {
     const LocalFrame f = frame_around(to_sun);
     std::array<Vector<Scene>, 4> over_sun;

@@ -1,35 +1,18 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
-#include "core/geometry.h"
-#include "geo/frames.h"
+#include "mesh/triangle_mesh.h"
 
 namespace overfly {
 
-using VertexId = std::uint32_t;
-using TriangleId = std::uint32_t;
-
-// A half-edge is 4 * triangle + k: the side of the triangle from its corner k to its corner (k + 1) % 3.
-using HalfEdgeId = std::uint32_t;
-
-inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-// Connected triangles on the ellipsoid, in scene metres.
-// GUARANTEES (of whoever makes one): corners run anticlockwise seen from above; at most two triangles share a side, and
-// they run along it in opposite directions; twin is an involution; no triangle has a repeated corner.
-struct TerrainMesh {
-    std::vector<Point<Scene>> positions;
+// The ground: triangles on the ellipsoid, in scene metres, their corners anticlockwise seen from above. A triangle mesh
+// with one array more, so that whatever takes a triangle mesh takes terrain as it is; nothing is virtual.
+struct TerrainMesh : TriangleMesh {
     std::vector<float> elevation_m;  // of each vertex, as measured: above the terrain's vertical datum
-    std::vector<std::array<VertexId, 3>> triangles;
-    std::vector<std::array<HalfEdgeId, 3>> twins;  // across each side, or kNone at a border
 
     [[nodiscard]] std::size_t memory_bytes() const {
-        return positions.size() * sizeof(positions[0]) + elevation_m.size() * sizeof(float) +
-               triangles.size() * (sizeof(triangles[0]) + sizeof(twins[0]));
+        return TriangleMesh::memory_bytes() + elevation_m.size() * sizeof(float);
     }
     friend bool operator==(const TerrainMesh&, const TerrainMesh&) = default;
 };

@@ -31,7 +31,7 @@ struct Pair {
 
 // On the film, from the sample to the nearest side of the triangle, sides taken as lines. Where an edge appears, its
 // function is zero, and it is linear in the film coordinates.
-double film_distance_to_sides(const TerrainMesh& mesh, TriangleId triangle, const Pair& pair) {
+double film_distance_to_sides(const TriangleMesh& mesh, TriangleId triangle, const Pair& pair) {
     const double u = pair.piece->u_at(pair.time_s);
     const Line line = pair.line();
     const auto& corner = mesh.triangles[triangle];
@@ -56,7 +56,7 @@ TriangleId seen_by(const IntervalTracer& tracer, const Pair& pair) {
     return kNone;
 }
 
-void count(const TerrainMesh& mesh, const Pair& pair, TriangleId a, TriangleId b, double film_per_px,
+void count(const TriangleMesh& mesh, const Pair& pair, TriangleId a, TriangleId b, double film_per_px,
            Agreement& agreement) {
     ++agreement.pairs;
     if (a == b) {
@@ -80,7 +80,7 @@ void count(const TerrainMesh& mesh, const Pair& pair, TriangleId a, TriangleId b
 
 }  // namespace
 
-Agreement compare(const DiscreteTracer& discrete, const IntervalTracer& interval, const TerrainMesh& mesh,
+Agreement compare(const DiscreteTracer& discrete, const IntervalTracer& interval, const TriangleMesh& mesh,
                   const Motion& motion, const AgreementOptions& options) {
     const TimeRange times = motion.times();
     const double film_height = static_cast<double>(options.height_px) / options.width_px;

@@ -31,7 +31,7 @@ struct AgreementOptions {
     int width_px = 960, height_px = 540;  // what a pixel is, and the shape of the picture
 };
 
-[[nodiscard]] Agreement compare(const DiscreteTracer& discrete, const IntervalTracer& interval, const TerrainMesh& mesh,
-                                const Motion& motion, const AgreementOptions& options);
+[[nodiscard]] Agreement compare(const DiscreteTracer& discrete, const IntervalTracer& interval,
+                                const TriangleMesh& mesh, const Motion& motion, const AgreementOptions& options);
 
 }  // namespace overfly

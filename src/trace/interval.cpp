@@ -51,7 +51,7 @@ std::vector<TimeCells> cells_of(const MotionPiece& piece, std::span<const TimeRa
 // Follows samples through cells and appends what each of them sees.
 class Follower {
   public:
-    Follower(const TerrainMesh& mesh, const StaticBvh& bvh, TraceCounters& counters)
+    Follower(const TriangleMesh& mesh, const StaticBvh& bvh, TraceCounters& counters)
         : mesh_(&mesh), bvh_(&bvh), counters_(&counters) {}
 
     // REQUIRES: no more samples than cells.samples_together(). Calls end_sample() after each.
@@ -71,7 +71,7 @@ class Follower {
     }
 
   private:
-    const TerrainMesh* mesh_;
+    const TriangleMesh* mesh_;
     const StaticBvh* bvh_;
     TraceCounters* counters_;
     CellRecords records_;
@@ -80,7 +80,7 @@ class Follower {
 
 }  // namespace
 
-IntervalTracer::IntervalTracer(const TerrainMesh& mesh) : mesh_(&mesh), bvh_(build_static_bvh(mesh)) {}
+IntervalTracer::IntervalTracer(const TriangleMesh& mesh) : mesh_(&mesh), bvh_(build_static_bvh(mesh)) {}
 
 void IntervalTracer::trace(const MotionPiece& piece, std::span<const ImageSample> samples,
                            std::span<const TimeRange> exposures, SegmentLists& out, TraceCounters& counters) const {

@@ -16,7 +16,7 @@ namespace overfly {
 class IntervalTracer {
   public:
     // The mesh must outlive the tracer.
-    explicit IntervalTracer(const TerrainMesh& mesh);
+    explicit IntervalTracer(const TriangleMesh& mesh);
 
     // Appends for each sample what it sees while the piece lasts. Outside the exposures segments may be missing or cut
     // short.
@@ -26,7 +26,7 @@ class IntervalTracer {
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    const TerrainMesh* mesh_;
+    const TriangleMesh* mesh_;
     StaticBvh bvh_;
 };
 

@@ -21,7 +21,7 @@ struct EdgeValues {
     }
 };
 
-[[nodiscard]] inline EdgeValues edge_values(const TerrainMesh& mesh, TriangleId triangle, const Line& line) {
+[[nodiscard]] inline EdgeValues edge_values(const TriangleMesh& mesh, TriangleId triangle, const Line& line) {
     const auto& corner = mesh.triangles[triangle];
     const Vector<Scene> moment = cross(line.origin, line.direction);
     EdgeValues values;
@@ -36,7 +36,7 @@ struct EdgeValues {
 }
 
 // Where the line meets the plane of the triangle; not finite where it runs within it.
-[[nodiscard]] inline double depth_on(const TerrainMesh& mesh, TriangleId triangle, const Line& line) {
+[[nodiscard]] inline double depth_on(const TriangleMesh& mesh, TriangleId triangle, const Line& line) {
     const auto& corner = mesh.triangles[triangle];
     return plane_depth(mesh.positions[corner[0]] - line.reference, mesh.positions[corner[1]] - line.reference,
                        mesh.positions[corner[2]] - line.reference, line.origin, line.direction);

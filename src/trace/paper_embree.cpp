@@ -10,7 +10,7 @@ namespace {
 
 // The polygons of one body as fans of triangles.
 struct Fans {
-    TerrainMesh mesh;
+    TriangleMesh mesh;
     std::vector<std::uint32_t> polygon;  // of each triangle
 
     Fans(const PaperScene& scene, std::uint32_t body) {

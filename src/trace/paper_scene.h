@@ -6,7 +6,7 @@
 
 #include "core/geometry.h"
 #include "geo/frames.h"
-#include "terrain/terrain_mesh.h"
+#include "mesh/triangle_mesh.h"
 
 namespace overfly {
 

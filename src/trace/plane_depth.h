@@ -13,7 +13,7 @@ struct PlaneDepth {
     std::array<double, 3> numerator{}, denominator{};  // monomial coefficients in u
 
     PlaneDepth() = default;
-    PlaneDepth(const TerrainMesh& mesh, TriangleId triangle, const MotionPiece& piece, double x, double y) {
+    PlaneDepth(const TriangleMesh& mesh, TriangleId triangle, const MotionPiece& piece, double x, double y) {
         const auto& corner = mesh.triangles[triangle];
         const Vector<Scene> v0 = mesh.positions[corner[0]] - piece.reference;
         const Vector<Scene> normal = cross(mesh.positions[corner[1]] - mesh.positions[corner[0]],

@@ -45,13 +45,13 @@ Vector<Scene> closest_on_triangle(Vector<Scene> p, const std::array<Vector<Scene
 }  // namespace
 
 struct RayScene::Embree {
-    const TerrainMesh* mesh = nullptr;
+    const TriangleMesh* mesh = nullptr;
     Point<Scene> centre;
     double longest_side_m = 0.0;
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
 
-    Embree(const TerrainMesh& terrain, Point<Scene> float_centre) : mesh(&terrain), centre(float_centre) {
+    Embree(const TriangleMesh& terrain, Point<Scene> float_centre) : mesh(&terrain), centre(float_centre) {
         device = rtcNewDevice(nullptr);
         check(device != nullptr, "Embree gives a device");
         scene = rtcNewScene(device);
@@ -114,13 +114,13 @@ void RayScene::Embree::add_mesh() {
     rtcReleaseGeometry(geometry);
 }
 
-RayScene::RayScene(const TerrainMesh& mesh, Point<Scene> float_centre)
+RayScene::RayScene(const TriangleMesh& mesh, Point<Scene> float_centre)
     : embree_(std::make_unique<Embree>(mesh, float_centre)) {}
 RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
-const TerrainMesh& RayScene::mesh() const { return *embree_->mesh; }
+const TriangleMesh& RayScene::mesh() const { return *embree_->mesh; }
 Point<Scene> RayScene::float_centre() const { return embree_->centre; }
 double RayScene::longest_side_m() const { return embree_->longest_side_m; }
 

@@ -8,7 +8,7 @@
 
 #include "core/geometry.h"
 #include "geo/frames.h"
-#include "terrain/terrain_mesh.h"
+#include "mesh/triangle_mesh.h"
 
 namespace overfly {
 
@@ -40,12 +40,12 @@ struct RayHit {
 class RayScene {
   public:
     // float_centre: the place around which float precision matters most, the middle of the flight.
-    RayScene(const TerrainMesh& mesh, Point<Scene> float_centre);
+    RayScene(const TriangleMesh& mesh, Point<Scene> float_centre);
     ~RayScene();
     RayScene(RayScene&&) noexcept;
     RayScene& operator=(RayScene&&) noexcept;
 
-    [[nodiscard]] const TerrainMesh& mesh() const;
+    [[nodiscard]] const TriangleMesh& mesh() const;
     [[nodiscard]] Point<Scene> float_centre() const;
     // The longest side of any triangle, in metres.
     [[nodiscard]] double longest_side_m() const;

@@ -58,7 +58,7 @@ float rounded_down(double v) {
 }
 float rounded_up(double v) { return -rounded_down(-v); }
 
-RTCBuildPrimitive bounds_of(const TerrainMesh& mesh, TriangleId triangle) {
+RTCBuildPrimitive bounds_of(const TriangleMesh& mesh, TriangleId triangle) {
     Point<Scene> low = mesh.positions[mesh.triangles[triangle][0]];
     Point<Scene> high = low;
     for (std::size_t k = 1; k < 3; ++k) {
@@ -127,7 +127,7 @@ struct BvhRelease {
 
 }  // namespace
 
-StaticBvh build_static_bvh(const TerrainMesh& mesh) {
+StaticBvh build_static_bvh(const TriangleMesh& mesh) {
     StaticBvh flat;
     if (mesh.triangles.empty()) return flat;
     std::vector<RTCBuildPrimitive> primitives;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "terrain/terrain_mesh.h"
+#include "mesh/triangle_mesh.h"
 
 namespace overfly {
 
@@ -28,6 +28,6 @@ struct StaticBvh {
 
 // By the surface area heuristic, through Embree's builder.
 // GUARANTEES: every triangle in one leaf; the same hierarchy whatever the number of threads.
-[[nodiscard]] StaticBvh build_static_bvh(const TerrainMesh& mesh);
+[[nodiscard]] StaticBvh build_static_bvh(const TriangleMesh& mesh);
 
 }  // namespace overfly

@@ -271,7 +271,7 @@ class Walk {
 
     void test_triangle(TriangleId triangle, std::uint32_t cells) {
         ++counters_->triangle_tests;
-        const TerrainMesh& mesh = *ray_->mesh;
+        const TriangleMesh& mesh = *ray_->mesh;
         const Point<Scene> reference = ray_->cells->piece->reference;
         const auto& corner = mesh.triangles[triangle];
         for (std::size_t k = 0; k < 3; ++k) {
@@ -374,7 +374,7 @@ HWY_AFTER_NAMESPACE();
 namespace overfly {
 HWY_EXPORT(gather);
 
-SweptRays::SweptRays(const TerrainMesh& terrain, const StaticBvh& hierarchy, const TimeCells& time,
+SweptRays::SweptRays(const TriangleMesh& terrain, const StaticBvh& hierarchy, const TimeCells& time,
                      std::span<const ImageSample> samples)
     : mesh(&terrain), bvh(&hierarchy), cells(&time) {
     for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -24,10 +24,10 @@ using CellRecords = std::array<std::vector<CellRecord>, kTimeCells>;
 // What a walk through the hierarchy follows: the lines of sight of a few neighbouring samples
 // (TimeCells::samples_together).
 struct SweptRays {
-    SweptRays(const TerrainMesh& terrain, const StaticBvh& hierarchy, const TimeCells& time,
+    SweptRays(const TriangleMesh& terrain, const StaticBvh& hierarchy, const TimeCells& time,
               std::span<const ImageSample> samples);
 
-    const TerrainMesh* mesh;
+    const TriangleMesh* mesh;
     const StaticBvh* bvh;
     const TimeCells* cells;
     std::uint32_t active = 0;              // the cells in use, a bit each

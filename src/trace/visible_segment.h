@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/time_range.h"
-#include "terrain/terrain_mesh.h"
+#include "mesh/triangle_mesh.h"
 
 namespace overfly {
 

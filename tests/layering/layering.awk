@@ -2,7 +2,7 @@
 # included by the .cpp files of its one module only, so that no header depends on it.
 
 BEGIN {
-    split("core=0 geo=1 terrain=2 flight=2 trace=3 shade=3 film=3 io=4 config=4 shot=5 app=6", levels, " ")
+    split("core=0 geo=1 mesh=2 terrain=3 flight=3 trace=4 shade=4 film=4 io=5 config=5 shot=6 app=7", levels, " ")
     for (i in levels) { split(levels[i], pair, "="); level[pair[1]] = pair[2] }
 
     home["^(gdal|ogr|cpl|vrt)[a-z_]*[.]h$"] = "io"
