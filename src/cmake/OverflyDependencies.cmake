@@ -14,6 +14,11 @@ list(APPEND CMAKE_MODULE_PATH /usr/share/cmake/geographiclib)
 
 overfly_require(GDAL libgdal-dev 3.6)
 overfly_require(GeographicLib libgeographiclib-dev MODULE)
+overfly_require(GEOS libgeos-dev 3.11)
+overfly_require(assimp libassimp-dev 5.2)
+# Debian's target names the libraries that assimp itself was linked with; whoever links the shared one needs none of them,
+# and libassimp-dev does not bring them.
+set_target_properties(assimp::assimp PROPERTIES INTERFACE_LINK_LIBRARIES "")
 overfly_require(OpenEXR libopenexr-dev 3.1)
 overfly_require(OpenImageIO libopenimageio-dev 2.4)
 # Debian's target names the headers of OpenCV as well, which its package does not bring and we do not need; CMake refuses

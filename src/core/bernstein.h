@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace overfly {
 
@@ -30,9 +31,40 @@ template <std::size_t N>
     return d;
 }
 
-[[nodiscard]] constexpr Bernstein<4> operator*(const Bernstein<2>& a, const Bernstein<2>& b) {
-    return {a[0] * b[0], 0.5 * (a[0] * b[1] + a[1] * b[0]), (a[0] * b[2] + 4.0 * (a[1] * b[1]) + a[2] * b[0]) / 6.0,
-            0.5 * (a[1] * b[2] + a[2] * b[1]), a[2] * b[2]};
+[[nodiscard]] constexpr double binomial(std::size_t n, std::size_t k) {
+    double b = 1.0;
+    for (std::size_t i = 1; i <= k; ++i) b = b * static_cast<double>(n + 1 - i) / static_cast<double>(i);
+    return b;
+}
+
+// Coefficient K of a product: the sum over i of C(A-1,i) C(B-1,K-i) / C(A+B-2,K) a_i b_(K-i), with i from `First` on.
+template <std::size_t K, std::size_t First, std::size_t A, std::size_t B, std::size_t... I>
+[[nodiscard]] constexpr double product_coefficient(const std::array<double, A>& a, const std::array<double, B>& b,
+                                                   std::index_sequence<I...>) {
+    constexpr std::array<double, sizeof...(I)> weight = {binomial(A - 1, First + I) *
+                                                         binomial(B - 1, K - First - I)...};
+    constexpr double whole = binomial(A + B - 2, K);
+    if constexpr (A == 1 || B == 1) {
+        return a[First] * b[K - First];
+    } else {
+        return (... + (weight[I] * (a[First + I] * b[K - First - I]))) / whole;
+    }
+}
+
+// The product of polynomials of degree A - 1 and B - 1 (Farouki 2012, section 4.5).
+template <std::size_t A, std::size_t B>
+[[nodiscard]] constexpr std::array<double, A + B - 1> operator*(const std::array<double, A>& a,
+                                                                const std::array<double, B>& b) {
+    return [&]<std::size_t... K>(std::index_sequence<K...>) {
+        return std::array<double, A + B - 1>{product_coefficient<K, (K < B ? 0 : K - B + 1)>(
+            a, b, std::make_index_sequence<(K < A ? K : A - 1) - (K < B ? 0 : K - B + 1) + 1>())...};
+    }
+    (std::make_index_sequence<A + B - 1>());
+}
+
+// The coefficients over [from, to] of c0 + c1 u + c2 u^2.
+[[nodiscard]] constexpr Bernstein<2> quadratic_over(double c0, double c1, double c2, double from, double to) {
+    return {c0 + from * (c1 + from * c2), c0 + 0.5 * (from + to) * c1 + from * to * c2, c0 + to * (c1 + to * c2)};
 }
 
 // Times the sign changes along the coefficients, zeros left out.

@@ -24,20 +24,20 @@ constexpr double kSafety = 0.7;
 // quadratic follows: that flip lasts this long.
 constexpr double kShortestPiece_s = 1e-5;
 
-// Ground nearer than this is not aimed for: a camera that touches the ground has points at distance 0.
-constexpr double kNearestGround_m = 0.01;
+// Nothing nearer than this is aimed for: a camera that touches the ground has points at distance 0.
+constexpr double kNearest_m = 0.01;
 
 double inner_u(int k) { return 0.5 - 0.5 * std::cos(std::numbers::pi * (k + 0.5) / kTimes); }
 
 struct Cut {
     double time_s = 0.0;
     RayFrame camera;
+    Vector<Scene> to_sun;
 };
 
 class Fitter {
   public:
-    Fitter(const CameraPath& path, const Surroundings& surroundings, const MotionOptions& options)
-        : path_(path), surroundings_(surroundings), options_(options) {
+    Fitter(const View& view, const MotionOptions& options) : view_(view), options_(options) {
         motion_.bound_px = options.bound_px;
     }
 
@@ -55,7 +55,9 @@ class Fitter {
         motion_.largest_error_px = std::max(motion_.largest_error_px, attempt.error_px);
     }
 
-    Cut cut_at(double time_s) const { return {time_s, ray_frame(path_.pose_at(time_s))}; }
+    Cut cut_at(double time_s) const {
+        return {time_s, view_.rays_at(time_s), view_.to_sun_at ? view_.to_sun_at(time_s) : Vector<Scene>{}};
+    }
     Motion take() { return std::move(motion_); }
 
   private:
@@ -63,25 +65,28 @@ class Fitter {
         MotionPiece piece;
         double error_px = 0.0;
     };
+    using Cuts = std::array<Cut, kTimes>;
 
     Attempt attempt_piece(const Cut& from, const Cut& to) const {
-        std::array<RayFrame, kTimes> exact;
+        Cuts exact;
         MotionPiece piece{{from.time_s, to.time_s}, from.camera.origin, {}, {}, {}, {}};
-        for (int k = 0; k < kTimes; ++k) exact[index(k)] = ray_frame(path_.pose_at(piece.time_at(inner_u(k))));
+        for (int k = 0; k < kTimes; ++k) exact[index(k)] = cut_at(piece.time_at(inner_u(k)));
         const auto fit_one = [&](auto value_of) {
             std::array<Vector<Scene>, kTimes> inside;
             std::transform(exact.begin(), exact.end(), inside.begin(), value_of);
-            return quadratic(value_of(from.camera), value_of(to.camera), inside);
+            return quadratic(value_of(from), value_of(to), inside);
         };
-        piece.origin = fit_one([&](const RayFrame& camera) { return camera.origin - piece.reference; });
-        piece.right = fit_one([](const RayFrame& camera) { return camera.right; });
-        piece.down = fit_one([](const RayFrame& camera) { return camera.down; });
-        piece.view = fit_one([](const RayFrame& camera) { return camera.view; });
+        piece.origin = fit_one([&](const Cut& cut) { return cut.camera.origin - piece.reference; });
+        piece.right = fit_one([](const Cut& cut) { return cut.camera.right; });
+        piece.down = fit_one([](const Cut& cut) { return cut.camera.down; });
+        piece.view = fit_one([](const Cut& cut) { return cut.camera.view; });
+        piece.to_sun = fit_one([](const Cut& cut) { return cut.to_sun; });
         return {piece, error_px(piece, exact)};
     }
 
     // Through both ends, and nearest in the middle by least squares: with w = u (1 - u), the distance of the values
-    // inside from the chord is met by -c2 w.
+    // inside from the chord is met by -c2 w. The fit is linear in the values, so where a body spins at a distance the
+    // errors of origin and direction cancel at that distance.
     static QuadraticVector quadratic(Vector<Scene> from, Vector<Scene> to,
                                      const std::array<Vector<Scene>, kTimes>& inside) {
         Vector<Scene> sum;
@@ -95,15 +100,18 @@ class Fitter {
         return {from, to - from - c2, c2};
     }
 
-    double error_px(const MotionPiece& piece, const std::array<RayFrame, kTimes>& exact) const {
+    double error_px(const MotionPiece& piece, const Cuts& exact) const {
         const double half_height = static_cast<double>(options_.height_px) / options_.width_px;
         double largest = 0.0;
         for (int k = 0; k < kTimes; ++k) {
             const double u = inner_u(k);
             const RayFrame fitted{piece.origin_at(u), piece.right.at(u), piece.down.at(u), piece.view.at(u)};
-            const RayFrame& camera = exact[index(k)];
-            const double ground_m = std::max(kNearestGround_m, surroundings_.distance_to_ground_m(camera.origin));
-            const double error = image_error(camera, fitted, half_height, ground_m);
+            const Cut& cut = exact[index(k)];
+            Reach reach = view_.reach_at(cut.time_s, cut.camera.origin);
+            reach.nearest_m = std::max(kNearest_m, reach.nearest_m);
+            reach.farthest_m = std::max(reach.nearest_m, reach.farthest_m);
+            const double sun_error = length(piece.to_sun.at(u) - cut.to_sun) / length(cut.camera.right);
+            const double error = std::max(sun_error, image_error(cut.camera, fitted, half_height, reach));
             // Not a number where the fitted camera has collapsed.
             largest = error >= 0.0 ? std::max(largest, error) : std::numeric_limits<double>::infinity();
         }
@@ -112,14 +120,13 @@ class Fitter {
 
     static std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
-    const CameraPath& path_;
-    const Surroundings& surroundings_;
+    const View& view_;
     const MotionOptions& options_;
     Motion motion_;
 };
 
 // Where the path changes from one polynomial to another, and between those evenly, so that no piece is a sliver.
-std::vector<double> cuts_s(const CameraPath& path, TimeRange when, double longest_piece_s) {
+std::vector<double> even_cuts_s(const CameraPath& path, TimeRange when, double longest_piece_s) {
     std::vector<double> stops_s{when.begin_s};
     for (const double joint_s : path.joints_s())
         if (joint_s > stops_s.back() + kShortestPiece_s && joint_s < when.end_s - kShortestPiece_s)
@@ -139,20 +146,27 @@ std::vector<double> cuts_s(const CameraPath& path, TimeRange when, double longes
 
 }  // namespace
 
-Motion fit_motion(const CameraPath& path, TimeRange when, const Surroundings& surroundings,
-                  const MotionOptions& options) {
-    check(when.duration_s() > 0.0, "a motion lasts for some time");
-    check(options.bound_px > 0.0 && options.longest_piece_s > 0.0, "a motion's bound and longest piece are positive");
+Motion fit_motion(const View& view, std::span<const double> cuts_s, const MotionOptions& options) {
+    check(cuts_s.size() >= 2 && std::ranges::is_sorted(cuts_s), "a motion is fitted between cuts in order");
+    check(options.bound_px > 0.0, "a motion's bound is positive");
     check(options.width_px > 0 && options.height_px > 0, "a motion's picture has pixels");
-    Fitter fitter(path, surroundings, options);
-    const std::vector<double> cuts = cuts_s(path, when, options.longest_piece_s);
-    Cut from = fitter.cut_at(cuts.front());
-    for (std::size_t i = 1; i < cuts.size(); ++i) {
-        const Cut to = fitter.cut_at(cuts[i]);
+    Fitter fitter(view, options);
+    Cut from = fitter.cut_at(cuts_s.front());
+    for (const double cut_s : cuts_s.subspan(1)) {
+        const Cut to = fitter.cut_at(cut_s);
         fitter.fit(from, to);
         from = to;
     }
     return fitter.take();
+}
+
+Motion fit_motion(const CameraPath& path, TimeRange when, const Surroundings& surroundings,
+                  const MotionOptions& options) {
+    check(when.duration_s() > 0.0 && options.longest_piece_s > 0.0, "a motion and its longest piece last for some time");
+    const View view = {[&](double time_s) { return ray_frame(path.pose_at(time_s)); },
+                       [&](double, Point<Scene> origin) { return Reach{surroundings.distance_to_ground_m(origin)}; },
+                       {}};
+    return fit_motion(view, even_cuts_s(path, when, options.longest_piece_s), options);
 }
 
 }  // namespace overfly

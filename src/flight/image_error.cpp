@@ -34,12 +34,7 @@ double film_distance(double x, double y, Vector<Camera> shift) {
 
 }  // namespace
 
-RayFrame ray_frame(const CameraPose& pose) {
-    return {pose.position, pose.tan_half_fov * pose.orientation.x, pose.tan_half_fov * pose.orientation.y,
-            pose.orientation.z};
-}
-
-double image_error(const RayFrame& exact, const RayFrame& fitted, double half_height, double distance_m) {
+double image_error(const RayFrame& exact, const RayFrame& fitted, double half_height, Reach reach) {
     const FilmCoordinates film(fitted);
     const Vector<Camera> moved = film.of(exact.origin - fitted.origin);
     const Vector<Camera> right = film.of(exact.right - fitted.right), down = film.of(exact.down - fitted.down),
@@ -50,11 +45,12 @@ double image_error(const RayFrame& exact, const RayFrame& fitted, double half_he
         for (int column = -kHalf; column <= kHalf; ++column) {
             const double x = static_cast<double>(column) / kHalf, y = half_height * row / kHalf;
             const Vector<Camera> turned = x * right + y * down + view;
-            // 1/s reaches from 0, infinitely far, to this; the error is monotone or convex in it but for 1 + shift.z,
-            // so its ends decide.
-            const double nearest_per_s = length(x * exact.right + y * exact.down + exact.view) / distance_m;
-            largest =
-                std::max({largest, film_distance(x, y, turned), film_distance(x, y, turned + nearest_per_s * moved)});
+            // The error is monotone or convex in 1/s but for 1 + shift.z, so the ends of what 1/s reaches decide.
+            const double metres_per_depth = length(x * exact.right + y * exact.down + exact.view);
+            const double nearest_per_s = metres_per_depth / reach.nearest_m;
+            const double farthest_per_s = metres_per_depth / reach.farthest_m;
+            largest = std::max({largest, film_distance(x, y, turned + farthest_per_s * moved),
+                                film_distance(x, y, turned + nearest_per_s * moved)});
         }
     return largest;
 }

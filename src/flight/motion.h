@@ -6,6 +6,7 @@
 #include "core/time_range.h"
 #include "flight/camera_path.h"
 #include "flight/shutter.h"
+#include "flight/view.h"
 
 namespace overfly {
 
@@ -19,16 +20,17 @@ struct QuadraticVector {
     [[nodiscard]] constexpr Vector<Scene> at(double u) const { return c0 + u * (c1 + u * c2); }
 };
 
-// One stretch of the flight on which the camera is quadratic. The ray of the film point (x, y) starts at
-// `reference` + origin(u) and runs along x * right(u) + y * down(u) + view(u).
-// Film coordinates: x from -1 at the left edge to +1 at the right edge of the picture, y downward on the same scale
-// with 0 at the middle row. right and down are as long as the tangent of half the field of view, view is a unit vector,
-// up to the bound of the fit; the ray's parameter is therefore the planar depth in metres.
+// One stretch of the flight on which the camera is quadratic, in the frame of what it looks at (view.h). The ray of the
+// film point (x, y) starts at `reference` + origin(u) and runs along x * right(u) + y * down(u) + view(u). Film
+// coordinates: x from -1 at the left edge to +1 at the right edge of the picture, y downward on the same scale with 0
+// at the middle row. right and down are as long as the tangent of half the field of view, view is a unit vector, up to
+// the bound of the fit; the ray's parameter is therefore the planar depth in metres.
 struct MotionPiece {
     TimeRange when;
     Point<Scene> reference;
     QuadraticVector origin;  // small numbers: relative to reference
     QuadraticVector right, down, view;
+    QuadraticVector to_sun{};  // a unit vector up to the bound of the fit; zero where it wasn't asked for
 
     [[nodiscard]] constexpr double u_at(double time_s) const { return (time_s - when.begin_s) / when.duration_s(); }
     [[nodiscard]] constexpr double time_at(double u) const { return when.begin_s + u * when.duration_s(); }
@@ -59,13 +61,18 @@ struct Motion {
     [[nodiscard]] std::span<const MotionPiece> pieces_over(TimeRange when) const;
 };
 
-// Fits quadratics over `when` (which may reach beyond the path's own times) by halving pieces until the bound holds.
-// REQUIRES: when lasts for some time; all options positive.
-// GUARANTEES: continuous at the joints (equal up to rounding); every ground point no nearer than distance_to_ground_m
-// of the camera is imaged within bound_px of where path.pose_at puts it, anywhere in the picture. The error is measured
-// in closed form at 24 times of each piece and 25 film points, and must there be below 0.7 of the bound. Two
-// exceptions: ground nearer than 1 cm, and the 10 microseconds in which a camera turns over that flies straight over
-// its target; then largest_error_px exceeds bound_px.
+// Fits quadratics between every two of `cuts_s`, halving until the bound holds: what the view looks at is, within its
+// reach, imaged within bound_px of where the exact rays put it, anywhere in the picture; and a shadow that the sun
+// draws on it as far away as the camera is moves by no more than that. REQUIRES: cuts_s ascending, at least two; all
+// options positive. GUARANTEES: a joint at every cut; continuous there (equal up to rounding). The error is measured in
+// closed form at 24 times of each piece and 25 film points, and must there be below 0.7 of the bound. Two exceptions:
+// what is nearer than 1 cm, and the 10 microseconds in which a camera turns over that flies straight over its target;
+// then largest_error_px exceeds bound_px.
+[[nodiscard]] Motion fit_motion(const View& view, std::span<const double> cuts_s, const MotionOptions& options);
+
+// The same for the camera over the ground, over `when`, which may reach beyond the path's own times; cut at the path's
+// joints and into pieces no longer than the options say.
+// REQUIRES: when lasts for some time.
 [[nodiscard]] Motion fit_motion(const CameraPath& path, TimeRange when, const Surroundings& surroundings,
                                 const MotionOptions& options);
 

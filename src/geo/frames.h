@@ -17,6 +17,10 @@ struct Scene;
 // The camera: x to the right of the image, y DOWN the image, z along the view. (EXR's camera flips y; see io.)
 struct Camera;
 
+// A body that moves on its own, as its mesh is given: at heading, pitch and roll 0 x points east, y north (forward, the
+// nose) and z up.
+struct Body;
+
 // A place on or above the WGS84 ellipsoid. Not a vector: degrees and metres do not mix.
 struct Geodetic {
     Angle lon, lat;         // east and north positive; lon in any turn

@@ -13,6 +13,27 @@ TEST(Bernstein, ProductMatchesItsFactors) {
     }
 }
 
+TEST(Bernstein, ProductsOfAnyDegrees) {
+    const Bernstein<4> a = {1.0, -2.0, 0.5, 3.0, -0.7};
+    const Bernstein<2> b = {-0.3, 4.0, 1.0};
+    const Bernstein<0> c = {-2.5};
+    for (const double u : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+        const double of_both = value_at<4>(a, u) * value_at<2>(b, u);
+        EXPECT_NEAR(value_at<6>(a * b, u), of_both, 1e-14);
+        EXPECT_NEAR(value_at<6>(b * a, u), of_both, 1e-14);
+        EXPECT_NEAR(value_at<8>(a * b * b, u), of_both * value_at<2>(b, u), 1e-13);
+        EXPECT_NEAR(value_at<4>(c * a, u), -2.5 * value_at<4>(a, u), 1e-14);
+    }
+}
+
+TEST(Bernstein, QuadraticOverAStretch) {
+    const Bernstein<2> b = quadratic_over(1.0, -3.0, 2.0, 0.25, 1.5);
+    for (const double part : {0.0, 0.3, 1.0}) {
+        const double u = 0.25 + 1.25 * part;
+        EXPECT_NEAR(value_at<2>(b, part), 1.0 - 3.0 * u + 2.0 * u * u, 1e-14);
+    }
+}
+
 TEST(Bernstein, MonomialsAreTheSamePolynomial) {
     const Bernstein<4> b = {1.0, -2.0, 3.0, 0.5, -1.0};
     const std::array<double, 5> c = monomials<4>(b);

@@ -9,6 +9,8 @@ BEGIN {
     home["^(OpenEXR|Imath)/"] = "io"
     home["^OpenImageIO/"] = "io"
     home["^openssl/"] = "io"
+    home["^assimp/"] = "io"
+    home["^geos_c[.]h$"] = "mesh"
     home["^GeographicLib/"] = "geo"
     home["^yaml-cpp/"] = "config"
     home["^embree3/"] = "trace"
