@@ -35,7 +35,7 @@ std::optional<double> Stage::ground_height_m(Angle lon, Angle lat) const {
 Surroundings Stage::surroundings() const {
     return {[this](Angle lon, Angle lat) { return ground_height_m(lon, lat); },
             [this](Angle lon, Angle lat) { return sea_level_m(lon, lat); },
-            [this](Point<Scene> p) { return rays_.distance_to_ground_m(p); }};
+            [this](Point<Scene> p) { return rays_.distance_m(p); }};
 }
 
 std::optional<Geodetic> middle_of(const FlightDocument& flight) {

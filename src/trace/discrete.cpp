@@ -81,8 +81,8 @@ class Decision {
 // compiler to vectorise: around Embree they would otherwise cost as much as its search.
 class Batch {
   public:
-    Batch(const RayScene& scene, const MotionPiece& piece, std::span<const ImageSample> samples)
-        : scene_(&scene), piece_(&piece), samples_(samples), per_s_(1.0 / piece.when.duration_s()) {}
+    Batch(const RayScene& scene, const MotionPiece& piece, std::span<const ImageSample> samples, const RayStart* start)
+        : scene_(&scene), piece_(&piece), samples_(samples), start_(start), per_s_(1.0 / piece.when.duration_s()) {}
 
     [[nodiscard]] bool is_full() const { return count_ == RayPacket::kSize; }
 
@@ -128,6 +128,16 @@ class Batch {
             packet_.direction_z[i] = static_cast<float>(d.z);
             packet_.valid[i] = i < count_ ? -1 : 0;
         }
+        if (start_ != nullptr) begin_at_start();
+    }
+
+    void begin_at_start() {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const double least = start_->depth_at(lanes_[i].time_s, x_[i], y_[i]);
+            const bool starts = std::isfinite(least) && least > 0.0;
+            packet_.least[i] = starts ? static_cast<float>(least) : 0.0F;
+            if (!starts) packet_.valid[i] = 0;
+        }
     }
 
     // Which lanes hit so near an edge that their float decision may be wrong. A barycentric coordinate times twice the
@@ -152,6 +162,7 @@ class Batch {
     const RayScene* scene_;
     const MotionPiece* piece_;
     std::span<const ImageSample> samples_;
+    const RayStart* start_;
     double per_s_;
     std::size_t count_ = 0;
     RayPacket packet_{};
@@ -163,7 +174,8 @@ class Batch {
 }  // namespace
 
 void DiscreteTracer::trace(const MotionPiece& piece, std::span<const ImageSample> samples,
-                           std::span<const TimeRange> exposures, SegmentLists& out, TraceCounters& counters) const {
+                           std::span<const TimeRange> exposures, SegmentLists& out, TraceCounters& counters,
+                           const RayStart* start) const {
     // Neighbouring samples share an exposure, so packets run through the samples for each exposure in turn; the answers
     // are put back into the order of the samples.
     struct Instant {
@@ -172,7 +184,7 @@ void DiscreteTracer::trace(const MotionPiece& piece, std::span<const ImageSample
     };
     std::vector<Instant> instants(samples.size() * exposures.size());
     for (std::size_t e = 0; e < exposures.size(); ++e) {
-        Batch batch(*scene_, piece, samples);
+        Batch batch(*scene_, piece, samples, start);
         const auto keep = [&](std::size_t sample, double time_s, TriangleId triangle) {
             instants[sample * exposures.size() + e] = {triangle, time_s};
         };
@@ -196,7 +208,7 @@ void DiscreteTracer::trace(const MotionPiece& piece, std::span<const ImageSample
 
 TriangleId DiscreteTracer::visible_at(const MotionPiece& piece, double x, double y, double time_s) const {
     const std::array<ImageSample, 1> sample = {{{x, y, 0.0}}};
-    Batch batch(*scene_, piece, sample);
+    Batch batch(*scene_, piece, sample, nullptr);
     batch.add(0, time_s);
     TriangleId seen = kNone;
     TraceCounters counters;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/geometry.h"
 #include "geo/frames.h"
 #include "mesh/triangle_mesh.h"
@@ -25,6 +27,19 @@ struct EdgeFunction {
                                                 Vector<Scene> at_to) {
     if (from < to) return {cross(at_from, at_to), at_to - at_from, 1.0};
     return {cross(at_to, at_from), at_from - at_to, -1.0};
+}
+
+// Of a triangle's sides, from each corner to the next, relative to `reference`.
+[[nodiscard]] inline std::array<EdgeFunction, 3> edge_functions(const TriangleMesh& mesh, TriangleId triangle,
+                                                                Point<Scene> reference) {
+    const auto& corner = mesh.triangles[triangle];
+    std::array<EdgeFunction, 3> edges;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const VertexId a = corner[k];
+        const VertexId b = corner[(k + 1) % 3];
+        edges[k] = edge_function(a, b, mesh.positions[a] - reference, mesh.positions[b] - reference);
+    }
+    return edges;
 }
 
 // Where the line o + s d meets the plane of a triangle: s, not finite where it runs within the plane.

@@ -8,59 +8,47 @@
 namespace overfly {
 namespace {
 
-// Where the cell is cut: its ends, four roots for each edge, two for the plane.
-struct Cuts {
-    std::array<double, 16> at{};
-    std::size_t count = 0;
-
-    void add(double u) { at[count++] = u; }
-};
-
 // The side of an edge that the line is on: the same all through, or by a polynomial that changes sign.
+template <std::size_t N>
 struct Side {
     bool changes = false;
     double constant = 0.0;  // of the sign that it keeps
-    std::array<double, 5> monomials{};
+    std::array<double, N + 1> monomials{};
 
     [[nodiscard]] double at(double u) const {
         if (!changes) return constant;
-        const auto& c = monomials;
-        return c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * c[4])));
+        double value = monomials[N];
+        for (std::size_t i = N; i > 0; --i) value = monomials[i - 1] + u * value;
+        return value;
     }
 };
 
-Side side_of(const Bernstein<4>& b, Cuts& cuts) {
+template <std::size_t N, class Cuts>
+Side<N> side_of(const Bernstein<N>& b, Cuts& cuts) {
     const auto [least, most] = std::minmax_element(b.begin(), b.end());
     if (*least >= 0.0 || *most <= 0.0) return {false, *least + *most, {}};
-    for (const double u : sign_change_roots<4>(b)) cuts.add(u);
-    return {true, 0.0, monomials<4>(b)};
+    for (const double u : sign_change_roots<N>(b)) cuts.add(u);
+    return {true, 0.0, monomials<N>(b)};
 }
 
 }  // namespace
 
-Stretches inside_stretches(const LineInCell& line) {
-    Cuts cuts;
-    cuts.add(0.0);
-    const Side first = side_of(line.side[0], cuts);
-    const Side second = side_of(line.side[1], cuts);
-    const Side third = side_of(line.side[2], cuts);
-    for (const double u : sign_change_roots<2>(line.depth_numerator)) cuts.add(u);
-    cuts.add(1.0);
-    if (cuts.count > 3) std::sort(cuts.at.begin(), cuts.at.begin() + static_cast<std::ptrdiff_t>(cuts.count));
-
-    Stretches inside;
-    bool goes_on = false;
-    for (std::size_t i = 0; i + 1 < cuts.count; ++i) {
-        if (cuts.at[i + 1] <= cuts.at[i]) continue;
-        const double middle = 0.5 * (cuts.at[i] + cuts.at[i + 1]);
-        const EdgeValues values = {{first.at(middle), second.at(middle), third.at(middle)}};
+template <std::size_t kSide, std::size_t kDepth>
+InsideStretches<kSide, kDepth> inside_stretches(const PolynomialLineInCell<kSide, kDepth>& line) {
+    StretchCuts<3 * kSide + kDepth> cuts({0.0, 1.0});
+    const Side<kSide> first = side_of<kSide>(line.side[0], cuts);
+    const Side<kSide> second = side_of<kSide>(line.side[1], cuts);
+    const Side<kSide> third = side_of<kSide>(line.side[2], cuts);
+    for (const double u : sign_change_roots<kDepth>(line.depth_numerator)) cuts.add(u);
+    return cuts.where([&](double u) {
+        const EdgeValues values = {{first.at(u), second.at(u), third.at(u)}};
         const double denominator = -(values.at[0] + values.at[1] + values.at[2]);  // as far as its sign goes
-        const bool counts = values.inside() && value_at<2>(line.depth_numerator, middle) * denominator > 0.0;
-        if (counts && !goes_on) inside.at[inside.count++] = {cuts.at[i], cuts.at[i + 1]};
-        if (counts) inside.at[inside.count - 1].end = cuts.at[i + 1];
-        goes_on = counts;
-    }
-    return inside;
+        return values.inside() && value_at<kDepth>(line.depth_numerator, u) * denominator > 0.0;
+    });
 }
+
+template InsideStretches<4, 2> inside_stretches<4, 2>(const LineInCell&);
+template InsideStretches<4, 4> inside_stretches<4, 4>(const SunLineInCell&);
+template InsideStretches<6, 4> inside_stretches<6, 4>(const TurningSunLineInCell&);
 
 }  // namespace overfly

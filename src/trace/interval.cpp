@@ -1,7 +1,9 @@
 #include "trace/interval.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "trace/cell_starts.h"
 #include "trace/nearest_records.h"
 #include "trace/swept_ray.h"
 
@@ -51,14 +53,19 @@ std::vector<TimeCells> cells_of(const MotionPiece& piece, std::span<const TimeRa
 // Follows samples through cells and appends what each of them sees.
 class Follower {
   public:
-    Follower(const TriangleMesh& mesh, const StaticBvh& bvh, TraceCounters& counters)
-        : mesh_(&mesh), bvh_(&bvh), counters_(&counters) {}
+    Follower(const TriangleMesh& mesh, const StaticBvh& bvh, const RayStart* start, TraceCounters& counters)
+        : mesh_(&mesh), bvh_(&bvh), start_(start), counters_(&counters) {}
 
     // REQUIRES: no more samples than cells.samples_together(). Calls end_sample() after each.
     template <class EndSample>
     void follow(const TimeCells& cells, std::span<const ImageSample> samples, std::vector<VisibleSegment>& out,
                 const EndSample& end_sample) {
-        const SweptRays rays(*mesh_, *bvh_, cells, samples);
+        SweptRays rays(*mesh_, *bvh_, cells, samples);
+        std::optional<CellStarts> starts;
+        if (start_ != nullptr) {
+            rays.starts = &starts.emplace(*start_, rays);
+            rays.active = starts->open();
+        }
         gather_records(rays, records_, *counters_);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             for (std::size_t k = 0; k < cells.exposures.size(); ++k) {
@@ -73,6 +80,7 @@ class Follower {
   private:
     const TriangleMesh* mesh_;
     const StaticBvh* bvh_;
+    const RayStart* start_;
     TraceCounters* counters_;
     CellRecords records_;
     std::vector<CellRecord> scratch_;
@@ -83,10 +91,11 @@ class Follower {
 IntervalTracer::IntervalTracer(const TriangleMesh& mesh) : mesh_(&mesh), bvh_(build_static_bvh(mesh)) {}
 
 void IntervalTracer::trace(const MotionPiece& piece, std::span<const ImageSample> samples,
-                           std::span<const TimeRange> exposures, SegmentLists& out, TraceCounters& counters) const {
+                           std::span<const TimeRange> exposures, SegmentLists& out, TraceCounters& counters,
+                           const RayStart* start) const {
     const std::vector<TimeCells> all_cells = cells_of(piece, exposures);
     const std::size_t before = out.segments.size();
-    Follower follower(*mesh_, bvh_, counters);
+    Follower follower(*mesh_, bvh_, start, counters);
     if (all_cells.size() == 1) {
         const std::size_t together = all_cells[0].samples_together();
         for (std::size_t first = 0; first < samples.size(); first += together) {

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "flight/motion.h"
+#include "trace/ray_start.h"
 #include "trace/static_bvh.h"
 #include "trace/visible_segment.h"
 
@@ -19,9 +20,12 @@ class IntervalTracer {
     explicit IntervalTracer(const TriangleMesh& mesh);
 
     // Appends for each sample what it sees while the piece lasts. Outside the exposures segments may be missing or cut
-    // short.
+    // short. With a start: of what is met beyond it (kAtStart), when there is one that is positive and finite.
     void trace(const MotionPiece& piece, std::span<const ImageSample> samples, std::span<const TimeRange> exposures,
-               SegmentLists& out, TraceCounters& counters) const;
+               SegmentLists& out, TraceCounters& counters, const RayStart* start = nullptr) const;
+
+    // For whoever follows other rays through the same triangles (shadow_tracer.h).
+    [[nodiscard]] const StaticBvh& hierarchy() const { return bvh_; }
 
     [[nodiscard]] std::size_t memory_bytes() const;
 

@@ -149,7 +149,7 @@ void RayScene::first_hits(RayPacket& packet) const {
     std::memcpy(hits.ray.dir_x, packet.direction_x.data(), sizeof hits.ray.dir_x);
     std::memcpy(hits.ray.dir_y, packet.direction_y.data(), sizeof hits.ray.dir_y);
     std::memcpy(hits.ray.dir_z, packet.direction_z.data(), sizeof hits.ray.dir_z);
-    std::ranges::fill(hits.ray.tnear, 0.0F);
+    std::memcpy(hits.ray.tnear, packet.least.data(), sizeof hits.ray.tnear);
     std::ranges::fill(hits.ray.tfar, kInfinity);
     std::ranges::fill(hits.ray.time, 0.0F);
     std::ranges::fill(hits.ray.mask, ~0U);
@@ -169,7 +169,7 @@ void RayScene::first_hits(RayPacket& packet) const {
     std::memcpy(packet.normal_z.data(), hits.hit.Ng_z, sizeof hits.hit.Ng_z);
 }
 
-double RayScene::distance_to_ground_m(Point<Scene> p) const {
+double RayScene::distance_m(Point<Scene> p) const {
     struct Search {
         const Embree* embree;
         Vector<Scene> p;

@@ -21,6 +21,7 @@ struct RayPacket {
 
     alignas(64) Lane<float> origin_x{}, origin_y{}, origin_z{};
     alignas(64) Lane<float> direction_x{}, direction_y{}, direction_z{};
+    alignas(64) Lane<float> least{};         // depth from which on hits count
     alignas(64) Lane<std::int32_t> valid{};  // -1: trace this lane, 0: do not
     // Answers; triangle is kNone where nothing was hit.
     alignas(64) Lane<std::uint32_t> triangle{};
@@ -58,7 +59,7 @@ class RayScene {
     void first_hits(RayPacket& packet) const;
 
     // From a point to the nearest point of any triangle, in metres; infinity in an empty mesh.
-    [[nodiscard]] double distance_to_ground_m(Point<Scene> p) const;
+    [[nodiscard]] double distance_m(Point<Scene> p) const;
 
   private:
     struct Embree;

@@ -10,6 +10,7 @@
 #include <embree3/rtcore.h>
 
 #include "core/error.h"
+#include "core/rounded_float.h"
 
 namespace overfly {
 namespace {
@@ -52,13 +53,7 @@ void* make_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* prim
     return leaf;
 }
 
-float rounded_down(double v) {
-    const auto f = static_cast<float>(v);
-    return static_cast<double>(f) <= v ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
-}
-float rounded_up(double v) { return -rounded_down(-v); }
-
-RTCBuildPrimitive bounds_of(const TriangleMesh& mesh, TriangleId triangle) {
+TriangleBox box_of(const TriangleMesh& mesh, TriangleId triangle) {
     Point<Scene> low = mesh.positions[mesh.triangles[triangle][0]];
     Point<Scene> high = low;
     for (std::size_t k = 1; k < 3; ++k) {
@@ -66,14 +61,20 @@ RTCBuildPrimitive bounds_of(const TriangleMesh& mesh, TriangleId triangle) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
+    return {{rounded_down(low.x), rounded_down(low.y), rounded_down(low.z)},
+            {rounded_up(high.x), rounded_up(high.y), rounded_up(high.z)},
+            triangle};
+}
+
+RTCBuildPrimitive primitive_of(const TriangleBox& box) {
     RTCBuildPrimitive primitive{};
-    primitive.lower_x = rounded_down(low.x);
-    primitive.lower_y = rounded_down(low.y);
-    primitive.lower_z = rounded_down(low.z);
-    primitive.upper_x = rounded_up(high.x);
-    primitive.upper_y = rounded_up(high.y);
-    primitive.upper_z = rounded_up(high.z);
-    primitive.primID = triangle;
+    primitive.lower_x = box.low[0];
+    primitive.lower_y = box.low[1];
+    primitive.lower_z = box.low[2];
+    primitive.upper_x = box.high[0];
+    primitive.upper_y = box.high[1];
+    primitive.upper_z = box.high[2];
+    primitive.primID = box.triangle;
     return primitive;
 }
 
@@ -127,16 +128,14 @@ struct BvhRelease {
 
 }  // namespace
 
-StaticBvh build_static_bvh(const TriangleMesh& mesh) {
+StaticBvh build_bvh(std::span<const TriangleBox> boxes) {
     StaticBvh flat;
-    if (mesh.triangles.empty()) return flat;
+    if (boxes.empty()) return flat;
     std::vector<RTCBuildPrimitive> primitives;
-    primitives.reserve(mesh.triangles.size());
-    for (TriangleId t = 0; t < mesh.triangles.size(); ++t) primitives.push_back(bounds_of(mesh, t));
-    Box everything = {{primitives[0].lower_x, primitives[0].lower_y, primitives[0].lower_z},
-                      {primitives[0].upper_x, primitives[0].upper_y, primitives[0].upper_z}};
-    for (const RTCBuildPrimitive& p : primitives) {
-        const Box b = {{p.lower_x, p.lower_y, p.lower_z}, {p.upper_x, p.upper_y, p.upper_z}};
+    primitives.reserve(boxes.size());
+    Box everything = {boxes[0].low, boxes[0].high};
+    for (const TriangleBox& b : boxes) {
+        primitives.push_back(primitive_of(b));
         for (std::size_t k = 0; k < 3; ++k) {
             everything.low[k] = std::min(everything.low[k], b.low[k]);
             everything.high[k] = std::max(everything.high[k], b.high[k]);
@@ -165,10 +164,17 @@ StaticBvh build_static_bvh(const TriangleMesh& mesh) {
     arguments.createLeaf = make_leaf;
     const auto* root = static_cast<const BuildNode*>(rtcBuildBVH(&arguments));
     check(root != nullptr, "Embree builds a hierarchy");
-    flat.nodes.reserve(mesh.triangles.size());
-    flat.triangles.reserve(mesh.triangles.size());
+    flat.nodes.reserve(boxes.size());
+    flat.triangles.reserve(boxes.size());
     Flattener(flat).add_root(*root, everything);
     return flat;
+}
+
+StaticBvh build_static_bvh(const TriangleMesh& mesh) {
+    std::vector<TriangleBox> boxes;
+    boxes.reserve(mesh.triangles.size());
+    for (TriangleId t = 0; t < mesh.triangles.size(); ++t) boxes.push_back(box_of(mesh, t));
+    return build_bvh(boxes);
 }
 
 }  // namespace overfly

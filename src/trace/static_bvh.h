@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
@@ -26,8 +27,17 @@ struct StaticBvh {
     [[nodiscard]] bool empty() const { return nodes.empty(); }
 };
 
+// What a triangle lies in.
+struct TriangleBox {
+    std::array<float, 3> low, high;  // finite
+    TriangleId triangle = kNone;
+};
+
 // By the surface area heuristic, through Embree's builder.
-// GUARANTEES: every triangle in one leaf; the same hierarchy whatever the number of threads.
+// GUARANTEES: every box in one leaf; the same hierarchy whatever the number of threads.
+[[nodiscard]] StaticBvh build_bvh(std::span<const TriangleBox> boxes);
+
+// Over the triangles where they stand.
 [[nodiscard]] StaticBvh build_static_bvh(const TriangleMesh& mesh);
 
 }  // namespace overfly

@@ -11,6 +11,8 @@
 
 namespace overfly {
 
+class CellStarts;
+
 // A stretch of one cell, [begin, end] within [0, 1], during which the line of sight passes through a triangle, and the
 // depths there: the paper's intersection record.
 struct CellRecord {
@@ -24,6 +26,7 @@ using CellRecords = std::array<std::vector<CellRecord>, kTimeCells>;
 // What a walk through the hierarchy follows: the lines of sight of a few neighbouring samples
 // (TimeCells::samples_together).
 struct SweptRays {
+    // The rays start at the camera.
     SweptRays(const TriangleMesh& terrain, const StaticBvh& hierarchy, const TimeCells& time,
               std::span<const ImageSample> samples);
 
@@ -32,6 +35,7 @@ struct SweptRays {
     const TimeCells* cells;
     std::uint32_t active = 0;              // the cells in use, a bit each
     alignas(64) PerCell<double> x{}, y{};  // of each cell's sample, on the film
+    const CellStarts* starts = nullptr;    // where the rays start, if not at the camera
 };
 
 // All records of the rays in the cells in use, except such as lie behind records that cover their whole cell. Appends

@@ -22,14 +22,18 @@ inline constexpr std::size_t kTimeCells = 16;
 template <class T>
 using PerCell = std::array<T, kTimeCells>;
 
-// A vector-valued quartic in the time of each cell: Bernstein coefficients by axis, by order, by cell.
-using QuarticVectors = std::array<std::array<PerCell<double>, 5>, 3>;
+// A vector-valued polynomial of degree N in the time of each cell: Bernstein coefficients by axis, by order, by cell.
+template <std::size_t N>
+using CellVectors = std::array<std::array<PerCell<double>, N + 1>, 3>;
+using QuarticVectors = CellVectors<4>;
 
-// The Pluecker coordinates (d, o x d) of a line of sight in every cell.
-struct alignas(64) CellLines {
-    QuarticVectors direction;
-    QuarticVectors moment;
+// The Pluecker coordinates (d, o x d) of a line in every cell, or a common multiple of them.
+template <std::size_t N>
+struct alignas(64) PolynomialLines {
+    CellVectors<N> direction;
+    CellVectors<N> moment;
 };
+using CellLines = PolynomialLines<4>;
 
 // The lines of a piece: that of the film point (x, y) is x * right + y * down + view, part by part.
 struct TimeCells {
@@ -46,10 +50,7 @@ struct TimeCells {
     [[nodiscard]] double time_s(std::size_t cell, double u) const;
     // The coefficients in a cell of c0 + c1 u + c2 u^2, u over the piece.
     [[nodiscard]] Bernstein<2> coefficients(double c0, double c1, double c2, std::size_t cell) const {
-        const double begin = from[cell];
-        const double end = to[cell];
-        return {c0 + begin * (c1 + begin * c2), c0 + 0.5 * (begin + end) * c1 + begin * end * c2,
-                c0 + end * (c1 + end * c2)};
+        return quadratic_over(c0, c1, c2, from[cell], to[cell]);
     }
 
     const MotionPiece* piece;
