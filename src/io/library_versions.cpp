@@ -2,6 +2,7 @@
 
 #include <OpenEXR/OpenEXRConfig.h>
 #include <OpenImageIO/imageio.h>
+#include <assimp/version.h>
 #include <gdal.h>
 #include <ogr_srs_api.h>
 
@@ -18,7 +19,8 @@ std::vector<LibraryVersion> io_library_versions() {
     return {{"GDAL", GDALVersionInfo("RELEASE_NAME")},
             {"PROJ", fmt::format("{}.{}.{}", major, minor, patch)},
             {"OpenEXR", OPENEXR_VERSION_STRING},
-            {"OpenImageIO", fmt::format("{}.{}.{}", oiio / 10000, oiio / 100 % 100, oiio % 100)}};
+            {"OpenImageIO", fmt::format("{}.{}.{}", oiio / 10000, oiio / 100 % 100, oiio % 100)},
+            {"Assimp", fmt::format("{}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch())}};
 }
 
 }  // namespace overfly
