@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -73,6 +74,8 @@ void read_document(const std::filesystem::path& file, std::span<const Override> 
 }
 
 void finish(Findings& findings) {
+    std::set<std::string> said;
+    std::erase_if(findings.problems, [&](const Problem& p) { return !said.insert(p.text()).second; });
     if (!findings.problems.empty()) throw UserError(std::move(findings.problems));
 }
 

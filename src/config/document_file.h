@@ -22,7 +22,7 @@ void read_top(Section& document, const std::function<void(Section&)>& read);
 void read_document(const std::filesystem::path& file, std::span<const Override> overrides, Findings& findings,
                    const std::function<void(Section&)>& read);
 
-// Throws UserError where there are problems.
+// Throws UserError where there are problems; each once, though a document that two bodies follow is read twice.
 void finish(Findings& findings);
 
 // The readers of the four kinds, one file each: terrain_document.cpp and so on. Each asks for every key of its kind.

@@ -5,7 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "core/colour.h"
 #include "core/error.h"
+#include "flight/body_motion.h"
+#include "flight/body_path.h"
+#include "flight/body_shape.h"
 #include "flight/keyframe.h"
 #include "flight/shutter.h"
 #include "shade/look.h"
@@ -30,9 +34,16 @@ struct FlightDocument {
     std::vector<Place> places;        // where each keyframe stands in the document
 };
 
+// How the ground's shadows come about.
+enum class SunShadows {
+    Baked,  // at the corners of the terrain's triangles, once for all times; bodies draw none
+    Exact,  // towards the sun from what a pixel sees, at all times of the exposure
+};
+
 struct LookDocument {
     std::filesystem::path colours;  // a GDAL colour-relief file; empty: the built-in ramp
     Look look;
+    SunShadows sun_shadows = SunShadows::Baked;
 };
 
 struct FramesDocument {
@@ -49,8 +60,9 @@ struct ImageDocument {
 
 struct SamplingDocument {
     TracerKind tracer = TracerKind::Interval;
-    int lines = 4;     // per pixel: continuous tracers
-    int samples = 64;  // per pixel: the discrete tracer
+    int lines = 4;         // per pixel: continuous tracers
+    int samples = 64;      // per pixel: the discrete tracer
+    int mirror_depth = 1;  // how many mirrors a ray is followed through, one after another
 };
 
 struct OutputDocument {
@@ -58,6 +70,18 @@ struct OutputDocument {
     std::string name;  // frames are NAME.0001.exr
     bool contact_sheet = true;
     bool movie = true;
+};
+
+// A body in a shot. The motion of one with an outline is its place, at rest.
+struct BodyDocument {
+    std::string name;  // no other body has it
+    BodyShape shape;
+    BodyMotion motion;
+    Rgb albedo{0.5F, 0.5F, 0.5F};
+    double mirror = 0.0;  // share of the light that it mirrors, 0 to 1; polygons and outlines are then planar
+    bool shadow = true;   // draws one
+    std::filesystem::path flight_file;  // that it follows, or empty
+    BodyPlaces places;
 };
 
 // configs/NAME.yaml: one shot.
@@ -70,6 +94,7 @@ struct ShotDocument {
     Shutter shutter;
     SamplingDocument sampling;
     LookDocument look;
+    std::vector<BodyDocument> bodies;
     OutputDocument output;
     double motion_bound_px = 0.01;
 };

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "config/document_file.h"
+#include "config/flight_place.h"
 #include "config/read.h"
 
 namespace overfly {
@@ -11,8 +12,6 @@ namespace {
 
 constexpr Range kFieldOfView_deg{0.01, 179};
 constexpr Range kTime_s{-1'000'000, 1'000'000};
-// From below the deepest trench to a quarter of the way to a geostationary orbit.
-constexpr Range kHeight_m{-20'000, 10'000'000};
 
 // What keyframes take over from the flight where they say nothing.
 struct FlightDefaults {
@@ -20,22 +19,6 @@ struct FlightDefaults {
     Lens lens;
     std::optional<FlightPlace> target;
 };
-
-void read_height_above(Section& section, HeightAbove& above) {
-    static constexpr NamedValue<HeightAbove> kWords[] = {
-        {"ground", HeightAbove::Ground}, {"sea_level", HeightAbove::SeaLevel}, {"ellipsoid", HeightAbove::Ellipsoid}};
-    section.read("height_above", above, kWords);
-}
-
-FlightPlace read_place(Section& section, HeightAbove above) {
-    FlightPlace place{.lon = {}, .lat = {}, .height_m = 0.0, .above = above};
-    section.require({"lon_deg", "lat_deg", "height_m"});
-    section.read("lon_deg", place.lon, {-360, 360});
-    section.read("lat_deg", place.lat, {-90, 90});
-    section.read("height_m", place.height_m, kHeight_m);
-    read_height_above(section, place.above);
-    return place;
-}
 
 std::optional<FlightPlace> read_target(Section& section, HeightAbove above) {
     FlightPlace target;
@@ -111,7 +94,7 @@ void read_flight(Section& document, FlightDocument& flight) {
 
     document.require({"keyframes"});
     std::optional<double> last_time_s;
-    document.each("keyframes", [&](Section& item) {
+    document.each("keyframes", Section::Empty::Refused, [&](Section& item) {
         flight.keyframes.push_back(read_keyframe(item, defaults, last_time_s));
         flight.places.push_back(item.place());
     });

@@ -1,5 +1,7 @@
 #include "config/node.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <limits>
@@ -71,6 +73,11 @@ std::string description(const Node& node) {
             return "a mapping";
     }
     throw InternalError("every kind of node has a description");
+}
+
+Problem refusal(std::string_view path, const Node& node, std::string_view allowed) {
+    const std::string prefix = path.empty() ? "" : std::string(path) + ": ";
+    return {node.place, fmt::format("{}got {}, allowed {}", prefix, description(node), allowed)};
 }
 
 std::optional<double> number_of(const Node& node) {

@@ -44,6 +44,9 @@ struct Node::Entry {
 // What a message says after "got": nothing, 12, 'abc', a list, a mapping.
 [[nodiscard]] std::string description(const Node& node);
 
+// "path: got ..., allowed ..." at the node.
+[[nodiscard]] Problem refusal(std::string_view path, const Node& node, std::string_view allowed);
+
 // The number that a scalar spells: decimal, or .inf, .nan in YAML's spellings and the usual ones. Too large to hold is
 // infinite.
 [[nodiscard]] std::optional<double> number_of(const Node& node);

@@ -131,7 +131,11 @@ bool Section::section(std::string_view key, const std::function<void(Section&)>&
     return node != nullptr;
 }
 
-void Section::each(std::string_view key, const std::function<void(Section&)>& read) {
+void Section::read_node(std::string_view key, const NodeReader& read) {
+    if (const Node* node = find(key)) read(*node, path_of(key), findings_.problems);
+}
+
+void Section::each(std::string_view key, Empty empty, const std::function<void(Section&)>& read) {
     const auto read_item = [&](const Node* item, std::string index) {
         Section inner(item, fmt::format("{}.{}", path_of(key), index), findings_);
         read(inner);
@@ -140,8 +144,10 @@ void Section::each(std::string_view key, const std::function<void(Section&)>& re
     const Node* node = find(key);
     if (findings_.listing_keys) return read_item(nullptr, "N");
     if (!node) return;
-    if (node->kind != Node::Kind::List || node->items.empty()) {
-        refuse_node(path_of(key), *node, "a list of at least one mapping");
+    const bool may_be_empty = empty == Empty::Allowed;
+    if (may_be_empty && node->kind == Node::Kind::Nothing) return;
+    if (node->kind != Node::Kind::List || (node->items.empty() && !may_be_empty)) {
+        refuse_node(path_of(key), *node, may_be_empty ? "a list of mappings" : "a list of at least one mapping");
         return;
     }
     for (std::size_t i = 0; i < node->items.size(); ++i) read_item(&node->items[i], std::to_string(i));
@@ -208,8 +214,7 @@ std::string Section::path_of(std::string_view key) const {
 std::string Section::inside() const { return path_.empty() ? "" : fmt::format(" in '{}'", path_); }
 
 bool Section::refuse_node(std::string_view path, const Node& node, std::string_view allowed) {
-    const std::string prefix = path.empty() ? "" : std::string(path) + ": ";
-    findings_.problems.push_back({node.place, fmt::format("{}got {}, allowed {}", prefix, description(node), allowed)});
+    findings_.problems.push_back(refusal(path, node, allowed));
     return false;
 }
 

@@ -65,10 +65,15 @@ class Section {
         return index.has_value();
     }
 
+    // Hands the value of `key` to `read`, with its path: for what no other read() understands.
+    using NodeReader = std::function<void(const Node& node, const std::string& path, std::vector<Problem>& problems)>;
+    void read_node(std::string_view key, const NodeReader& read);
+
     // Reads a mapping inside this one, and then notes what keys in it are unknown or duplicate. True where it is there.
     bool section(std::string_view key, const std::function<void(Section&)>& read);
-    // The same for each mapping of a list that has at least one.
-    void each(std::string_view key, const std::function<void(Section&)>& read);
+    // The same for each mapping of a list, which may be empty or not.
+    enum class Empty { Allowed, Refused };
+    void each(std::string_view key, Empty empty, const std::function<void(Section&)>& read);
 
     [[nodiscard]] bool has(std::string_view key);
     [[nodiscard]] Place place() const { return node_ ? node_->place : Place{}; }

@@ -1,5 +1,7 @@
 #include <string>
 
+#include "config/bodies.h"
+#include "config/body_flights.h"
 #include "config/document_file.h"
 #include "config/frame_rate.h"
 #include "config/read.h"
@@ -35,19 +37,22 @@ void read_shutter(Section& section, Shutter& shutter) {
 }
 
 void read_sampling(Section& section, SamplingDocument& sampling) {
-    static constexpr NamedValue<TracerKind> kTracers[] = {{"interval", TracerKind::Interval},
-                                                          {"discrete", TracerKind::Discrete}};
+    static constexpr NamedValue<TracerKind> kTracers[] = {
+        {"interval", TracerKind::Interval}, {"discrete", TracerKind::Discrete}, {"hybrid", TracerKind::Hybrid}};
     section.read("tracer", sampling.tracer, kTracers);
     section.read("lines", sampling.lines, {1, 1024});
     section.read("samples", sampling.samples, {1, 65536});
+    section.read("mirror_depth", sampling.mirror_depth, {0, 8});
 }
 
 void read_look(Section& section, LookDocument& document) {
+    static constexpr NamedValue<SunShadows> kShadows[] = {{"baked", SunShadows::Baked}, {"exact", SunShadows::Exact}};
     Look& look = document.look;
     section.read("colours", document.colours, PathTo::File);
     section.section("sun", [&](Section& sun) {
         sun.read("azimuth_deg", look.sun_azimuth, {-360, 360});
         sun.read("elevation_deg", look.sun_elevation, {-5, 90});
+        sun.read("shadows", document.sun_shadows, kShadows);
     });
     section.read("sun_strength", look.sun_strength, {0, 100});
     section.read("sky_strength", look.sky_strength, {0, 100});
@@ -82,6 +87,7 @@ void read_shot(Section& document, ShotDocument& shot) {
     document.section("shutter", [&](Section& s) { read_shutter(s, shot.shutter); });
     document.section("sampling", [&](Section& s) { read_sampling(s, shot.sampling); });
     document.section("look", [&](Section& s) { read_look(s, shot.look); });
+    read_bodies(document, shot.bodies);
     document.section("output", [&](Section& s) { read_output(s, shot.output); });
     document.section("motion", [&](Section& s) { s.read("bound_px", shot.motion_bound_px, Range::above(0, 1)); });
 }
@@ -93,6 +99,7 @@ ShotDocument read_shot_document(const std::filesystem::path& file, std::span<con
     std::vector<config::Override> own = config::parse_overrides(overrides, findings.problems);
     const std::vector<config::Override> of_terrain = take_overrides_inside("terrain", own);
     const std::vector<config::Override> of_flight = take_overrides_inside("flight", own);
+    const std::vector<config::BodyFlightOverride> of_body_flights = take_body_flight_overrides(own);
 
     ShotDocument shot;
     shot.file = file;
@@ -107,6 +114,7 @@ ShotDocument read_shot_document(const std::filesystem::path& file, std::span<con
         read_document(shot.flight.file, of_flight, findings,
                       [&](config::Section& document) { read_flight(document, shot.flight); });
     }
+    read_body_flights(shot.bodies, of_body_flights, findings);
     finish(findings);
     return shot;
 }

@@ -62,7 +62,7 @@ TEST_P(MutatedDocument, IsReadOrRefused) {
     const std::string name = GetParam();
     const TemporaryFolder folder;
     const std::string good = with_absolute_dem(name);
-    for (const char* other : {"terrain.yaml", "flight.yaml", "shot.yaml"})
+    for (const char* other : {"terrain.yaml", "flight.yaml", "shot.yaml", "triangle.obj"})
         folder.write(other, with_absolute_dem(other));
 
     std::mt19937 random(seed);

@@ -24,6 +24,9 @@ TEST(ReadShotDocument, ReadsEveryKey) {
     EXPECT_EQ(shot.sampling.tracer, TracerKind::Discrete);
     EXPECT_EQ(shot.sampling.lines, 8);
     EXPECT_EQ(shot.sampling.samples, 128);
+    EXPECT_EQ(shot.sampling.mirror_depth, 3);
+    EXPECT_EQ(shot.look.sun_shadows, SunShadows::Exact);
+    EXPECT_EQ(shot.bodies.size(), 4U);  // bodies_test.cpp
     EXPECT_EQ(shot.look.colours, good_folder / "shot.yaml");
     const Look look{.sun_azimuth = Angle::degrees(120),
                     .sun_elevation = Angle::degrees(20),
@@ -48,6 +51,9 @@ TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
     EXPECT_EQ(shot.image.height, 540);
     EXPECT_EQ(shot.shutter, Shutter{});
     EXPECT_EQ(shot.sampling.tracer, TracerKind::Interval);
+    EXPECT_EQ(shot.sampling.mirror_depth, 1);
+    EXPECT_EQ(shot.look.sun_shadows, SunShadows::Baked);
+    EXPECT_TRUE(shot.bodies.empty());
     EXPECT_EQ(shot.look.look, Look{});
     EXPECT_TRUE(shot.look.colours.empty());
     EXPECT_EQ(shot.output.folder, "out/smallest_shot");
