@@ -15,6 +15,11 @@ constexpr Rgb kAlbedoAround = {0.28F, 0.24F, 0.19F};
 
 }  // namespace
 
+Rgb ground_around(const Daylight& day) {
+    const auto level_sun = static_cast<float>(std::max(day.to_sun().z, 0.0));
+    return kAlbedoAround * (level_sun * day.sun() + day.sky());
+}
+
 std::vector<Vector<Scene>> vertex_normals(const TerrainMesh& mesh) {
     std::vector<Vector<Scene>> normals(mesh.positions.size());
     for (const auto& t : mesh.triangles) {
@@ -30,22 +35,24 @@ std::vector<Vector<Scene>> vertex_normals(const TerrainMesh& mesh) {
 }
 
 GroundLight light_ground(const TerrainMesh& mesh, const ColourRamp& colours, const Daylight& day,
-                         const IsBlocked& is_blocked, const Progress& progress) {
+                         const IsBlocked& is_blocked, GroundShadows shadows, const Progress& progress) {
     const std::vector<Vector<Scene>> normals = vertex_normals(mesh);
-    const std::vector<float> sunlit = sun_share(mesh, day.to_sun(), is_blocked, progress);
+    std::vector<float> sunlit(mesh.positions.size(), 1.0F);
+    if (shadows == GroundShadows::Baked) sunlit = sun_share(mesh, day.to_sun(), is_blocked, progress);
     const std::vector<SkyLight> sky = sky_light(mesh, normals, day, is_blocked, progress);
-    // The ground around is taken as level and in the sun: where much of it is seen, some is.
-    const auto level_sun = static_cast<float>(std::max(day.to_sun().z, 0.0));
-    const Rgb around = kAlbedoAround * (level_sun * day.sun() + day.sky());
+    const Rgb around = ground_around(day);
 
     GroundLight light;
     light.radiance.reserve(mesh.positions.size());
+    light.without_sun.reserve(mesh.positions.size());
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         const auto facing_sun = static_cast<float>(std::max(dot(normals[v], day.to_sun()), 0.0));
         const auto slope_cos = static_cast<float>(dot(normals[v], up_at(mesh.positions[v])));
-        const Rgb irradiance = (sunlit[v] * facing_sun) * day.sun() + sky[v].irradiance + sky[v].ground_share * around;
+        const Rgb from_around = sky[v].irradiance + sky[v].ground_share * around;
         const float stray_m = colours.stray_m > 0.0F ? colours.stray_m * patchiness(mesh.positions[v]) : 0.0F;
-        light.radiance.push_back(colours.at(mesh.elevation_m[v] + stray_m, slope_cos) * irradiance);
+        const Rgb albedo = colours.at(mesh.elevation_m[v] + stray_m, slope_cos);
+        light.without_sun.push_back(albedo * from_around);
+        light.radiance.push_back(albedo * ((sunlit[v] * facing_sun) * day.sun() + from_around));
     }
     return light;
 }

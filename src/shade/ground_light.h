@@ -14,13 +14,23 @@ namespace overfly {
 // What the ground sends to the camera, before the air between: light that fixed ground under a fixed sky reflects to
 // every side alike, and so is computed once per vertex and not per frame.
 struct GroundLight {
-    std::vector<Rgb> radiance;  // of each vertex of the mesh
+    std::vector<Rgb> radiance;     // of each vertex of the mesh
+    std::vector<Rgb> without_sun;  // the same where something stands before the sun
 };
+
+// Who finds the shadows that the ground casts on itself: the light of the vertices, or whoever follows the lines of
+// sight; then `radiance` is that of sunlit ground throughout.
+enum class GroundShadows { Baked, Traced };
 
 // Albedo, times sun (with the shadows of the terrain) plus the sky that the vertex sees, plus a first bounce from the
 // ground that hides the rest of it. The same for any number of threads.
 [[nodiscard]] GroundLight light_ground(const TerrainMesh& mesh, const ColourRamp& colours, const Daylight& day,
-                                       const IsBlocked& is_blocked, const Progress& progress = {});
+                                       const IsBlocked& is_blocked, GroundShadows shadows = GroundShadows::Baked,
+                                       const Progress& progress = {});
+
+// Radiance of the ground around a place, as far as it lights what stands there: taken as level and in the sun, for
+// where much of it is seen, some is.
+[[nodiscard]] Rgb ground_around(const Daylight& day);
 
 // Unit normals of the vertices, upward: those of the triangles around, weighted by area.
 [[nodiscard]] std::vector<Vector<Scene>> vertex_normals(const TerrainMesh& mesh);
