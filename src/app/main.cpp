@@ -15,6 +15,7 @@
 #include "core/version.h"
 #include "geo/library_versions.h"
 #include "io/library_versions.h"
+#include "mesh/library_versions.h"
 #include "shot/interrupted.h"
 #include "trace/library_versions.h"
 
@@ -27,18 +28,19 @@ struct Verb {
     AddVerb add;
 };
 
-constexpr std::array<Verb, 5> kVerbs = {{
+constexpr std::array<Verb, 6> kVerbs = {{
     {"import", "inspect elevation data and prepare it as a scene", add_import},
     {"path", "check a flight: length, speed, clearance, angular rates", add_path},
     {"render", "render the frames of a shot", add_render},
     {"batch", "render many shots, one after another", add_batch},
     {"bench", "compare the tracers on a shot", add_bench},
+    {"timeline", "draw what a pixel sees when", add_timeline},
 }};
 
 std::string version_text() {
     std::string text = fmt::format("overfly {}", kVersion);
-    for (const auto& versions : {core_library_versions(), geo_library_versions(), trace_library_versions(),
-                                 io_library_versions(), config_library_versions()}) {
+    for (const auto& versions : {core_library_versions(), geo_library_versions(), mesh_library_versions(),
+                                 trace_library_versions(), io_library_versions(), config_library_versions()}) {
         for (const LibraryVersion& v : versions) text += fmt::format("\n{} {}", v.name, v.version);
     }
     return text;

@@ -4,6 +4,7 @@
 
 #include "app/render_json.h"
 #include "app/shot_arguments.h"
+#include "app/verb_bench_hybrid.h"
 #include "app/verb_bench_paper.h"
 #include "app/verbs.h"
 #include "shot/bench_flight.h"
@@ -18,6 +19,28 @@ struct Arguments {
     ShotArguments overrides;
 };
 
+// Counts for each ray and piece, as the paper's table counts them.
+nlohmann::ordered_json volume_json(const TraceCounters& c) {
+    const double rays = static_cast<double>(c.rays);
+    return {{"bv_tests", static_cast<double>(c.box_tests) / rays},
+            {"bv_hits", static_cast<double>(c.box_hits) / rays},
+            {"poly_tests", static_cast<double>(c.triangle_tests) / rays},
+            {"poly_hits", static_cast<double>(c.triangle_hits) / rays}};
+}
+
+nlohmann::ordered_json volumes_json(const BenchResult& r) {
+    const VolumeComparison& v = r.volumes;
+    nlohmann::ordered_json swollen = nlohmann::ordered_json::array();
+    for (const SwollenBoxes& s : r.swollen)
+        swollen.push_back({{"pieces", s.pieces}, {"lasting_s", s.lasting_s}, {"boxes_per_line", s.per_line}});
+    nlohmann::ordered_json inflated = volume_json(v.inflated);
+    inflated["build_seconds_per_piece"] = v.inflated_build_s;
+    nlohmann::ordered_json in_parts = volume_json(v.swept_in_parts);
+    in_parts["cells_per_test"] = kVolumeParts;
+    return {{"rays", v.swept.rays},       {"inflated", inflated}, {"swept", volume_json(v.swept)},
+            {"swept_in_parts", in_parts}, {"swollen", swollen},   {"differing_rays", v.differing}};
+}
+
 nlohmann::ordered_json bench_json(const BenchResult& r) {
     return {{"width", r.width},
             {"height", r.height},
@@ -27,12 +50,43 @@ nlohmann::ordered_json bench_json(const BenchResult& r) {
              {{"discrete", r.discrete.ns_per_sample}, {"interval", r.interval.ns_per_sample}}},
             {"discrete", counters_json(r.discrete.counters)},
             {"interval", counters_json(r.interval.counters)},
+            {"volumes", volumes_json(r)},
             {"agreement",
              {{"pairs", r.agreement.pairs},
               {"same_triangle_share", r.agreement.same_share()},
               {"same_depth", r.agreement.same_depth},
               {"near_edge", r.agreement.near_edge},
               {"unexplained", r.agreement.unexplained}}}};
+}
+
+std::string volumes_text(const BenchResult& r) {
+    const VolumeComparison& v = r.volumes;
+    std::string text = fmt::format("\nbounding volumes, per ray and piece   {:>9}{:>9}{:>7}{:>13}{:>7}\n", "inflated",
+                                   "swept", "ratio", fmt::format("in {} parts", kVolumeParts), "ratio");
+    const auto row = [&](const char* what, std::uint64_t TraceCounters::*count) {
+        const auto per_ray = [&](const TraceCounters& c) {
+            return static_cast<double>(c.*count) / static_cast<double>(c.rays);
+        };
+        const double inflated = per_ray(v.inflated);
+        const double swept = per_ray(v.swept);
+        const double in_parts = per_ray(v.swept_in_parts);
+        text += fmt::format("  {:<36}{:>9.1f}{:>9.1f}{:>7.2f}{:>13.1f}{:>7.2f}\n", what, inflated, swept,
+                            inflated / swept, in_parts, inflated / in_parts);
+    };
+    row("box tests", &TraceCounters::box_tests);
+    row("boxes met", &TraceCounters::box_hits);
+    row("triangle tests", &TraceCounters::triangle_tests);
+    row("triangles met", &TraceCounters::triangle_hits);
+    text +=
+        fmt::format("  {} rays, {} of which see something else; inflated boxes take {:.2f} s to build for each piece\n",
+                    v.swept.rays, v.differing, v.inflated_build_s);
+    for (const SwollenBoxes& b : r.swollen) {
+        text +=
+            fmt::format("  inflated for {:>2} pieces, {:.2f} s: {:.0f} boxes around triangles in the way of a line\n",
+                        b.pieces, b.lasting_s, b.per_line);
+    }
+    text += '\n';
+    return text;
 }
 
 std::string bench_text(const BenchResult& r) {
@@ -48,6 +102,7 @@ std::string bench_text(const BenchResult& r) {
         static_cast<double>(c.box_tests) / rays, static_cast<double>(c.box_hits) / rays,
         static_cast<double>(c.triangle_tests) / rays, static_cast<double>(c.triangle_hits) / rays,
         static_cast<double>(c.segments) / rays);
+    text += volumes_text(r);
     text += fmt::format(
         "agreement at {} random pairs      {:.4f} % the same triangle; else {} the same depth, {} at an edge, {} "
         "neither\n",
@@ -80,8 +135,10 @@ RunVerb add_bench(CLI::App& verb) {
         ->check(CLI::Range(1L, 1'000'000'000L));
     arguments->overrides.add_to(*flight);
     const RunVerb run_paper = add_bench_paper(verb);
-    return [arguments, run_paper, &verb](const CommonOptions& common) {
-        return verb.got_subcommand("paper") ? run_paper(common) : run_flight(*arguments, common);
+    const RunVerb run_hybrid = add_bench_hybrid(verb);
+    return [arguments, run_paper, run_hybrid, &verb](const CommonOptions& common) {
+        if (verb.got_subcommand("paper")) return run_paper(common);
+        return verb.got_subcommand("hybrid") ? run_hybrid(common) : run_flight(*arguments, common);
     };
 }
 

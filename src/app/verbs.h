@@ -21,6 +21,7 @@ RunVerb add_path(CLI::App& verb);
 RunVerb add_render(CLI::App& verb);
 RunVerb add_batch(CLI::App& verb);
 RunVerb add_bench(CLI::App& verb);
+RunVerb add_timeline(CLI::App& verb);
 
 // Exit codes.
 inline constexpr int kDone = 0;

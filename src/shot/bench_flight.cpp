@@ -1,6 +1,8 @@
 #include "shot/bench_flight.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "shot/expose_piece.h"
 #include "shot/processor_time.h"
@@ -12,6 +14,7 @@ namespace {
 
 constexpr std::size_t kPieces = 4;
 constexpr std::size_t kEveryTile = 2;
+constexpr std::array<std::size_t, 3> kSwollenPieces = {1, 4, 16};
 
 // As in a render: the second sample of a pixel finds in the caches what the first has fetched.
 constexpr int kSamplesPerPixel = 4;
@@ -47,6 +50,15 @@ std::vector<TileSamples> some_tiles(PictureSize size) {
     return out;
 }
 
+// Evenly over the flight.
+std::vector<MotionPiece> some_pieces(const Motion& motion) {
+    std::vector<MotionPiece> out;
+    const std::size_t count = std::min(kPieces, motion.pieces.size());
+    for (std::size_t k = 0; k < count; ++k)
+        out.push_back(motion.pieces[(2 * k + 1) * motion.pieces.size() / (2 * count)]);
+    return out;
+}
+
 }  // namespace
 
 BenchResult bench_flight(const ShotDocument& shot, const BenchOptions& options) {
@@ -64,11 +76,11 @@ BenchResult bench_flight(const ShotDocument& shot, const BenchOptions& options) 
     double discrete_s = 0.0;
     double interval_s = 0.0;
     double pixel_frames = 0.0;
-    const std::size_t pieces = std::min(kPieces, motion.pieces.size());
-    for (std::size_t k = 0; k < pieces; ++k) {
+    const std::vector<MotionPiece> pieces = some_pieces(motion);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
         if (options.progress)
-            options.progress("timing the tracers", static_cast<double>(k), static_cast<double>(pieces));
-        Work work = {motion.pieces[(2 * k + 1) * motion.pieces.size() / (2 * pieces)], {}, tiles};
+            options.progress("timing the tracers", static_cast<double>(k), static_cast<double>(pieces.size()));
+        Work work = {pieces[k], {}, tiles};
         for (const PlannedFrame& f : frames) {
             if (is_exposed_in(f, work.piece)) work.exposures.push_back(intersection(f.exposure, work.piece.when));
         }
@@ -79,6 +91,13 @@ BenchResult bench_flight(const ShotDocument& shot, const BenchOptions& options) 
     }
     result.discrete.ns_per_sample = 1e9 * discrete_s / pixel_frames;
     result.interval.ns_per_sample = 1e9 * interval_s / pixel_frames;
+    const PictureSize size = {shot.image.width, shot.image.height};
+    result.volumes = compare_volumes(stage.mesh(), interval, pieces, size, options.progress);
+    for (const std::size_t count : kSwollenPieces) {
+        if (count > motion.pieces.size()) break;
+        const auto middle = std::span(motion.pieces).subspan((motion.pieces.size() - count) / 2, count);
+        result.swollen.push_back(swollen_boxes(stage.mesh(), middle, size));
+    }
     if (options.progress) options.progress("comparing the tracers", 0.0, 0.0);
     const AgreementOptions pairs = {options.agreement_pairs, 1, shot.image.width, shot.image.height};
     result.agreement = compare(discrete, interval, stage.mesh(), motion, pairs);

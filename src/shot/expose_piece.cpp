@@ -15,39 +15,63 @@ class TileExposure {
         : exposing_(&exposing), piece_(&piece), exposures_(exposures), films_(films) {}
 
     void run(const PixelTile& tile, TraceCounters& counters) const {
-        const TileSamples tiled = samples_of(tile, exposing_->size, exposing_->samples_per_pixel);
-        SegmentLists lists;
-        trace(exposing_->tracer, *piece_, tiled.samples, exposures_, lists, counters);
-        const bool instants = std::holds_alternative<DiscreteTracer>(exposing_->tracer);
-        for (std::size_t i = 0; i < tiled.samples.size(); ++i) {
-            const Deposit deposit = {this, &tiled.samples[i], tiled.pixels[i]};
-            if (instants) {
-                integrate_instants(lists.of(i), exposures_, [&](const VisibleSegment& s, std::size_t e, double t) {
-                    deposit(e, s.triangle, t, 1.0);
-                });
-                continue;
-            }
+        const TracerPair& tracers = exposing_->tracers;
+        if (tracers.continuous == nullptr) return sample(tile, exposures_, counters);
+        const TileSamples lines = samples_of(tile, exposing_->size, tracers.lines);
+        if (tracers.discrete == nullptr ||
+            lines_are_cheaper(tracers, piece_->when, lines.samples, exposures_, counters)) {
+            return follow(lines, counters);
+        }
+        // The exposures' parts in this piece, each of which counts for its share: the rest may be followed.
+        std::vector<TimeRange> parts;
+        for (const TimeRange& e : exposures_) parts.push_back(intersection(e, piece_->when));
+        sample(tile, parts, counters);
+    }
+
+  private:
+    void follow(const TileSamples& lines, TraceCounters& counters) const {
+        SurfaceSegmentLists lists;
+        exposing_->tracers.continuous->trace(piece_->when, lines.samples, exposures_, lists, counters);
+        for (std::size_t i = 0; i < lines.samples.size(); ++i) {
+            const Deposit deposit = {this, &lines.samples[i], lists.reflected, lines.pixels[i],
+                                     1.0 / exposing_->tracers.lines};
             for (std::size_t e = 0; e < exposures_.size(); ++e) {
-                const auto stretch = [&](const VisibleSegment* s, double t, double share) {
-                    deposit(e, s != nullptr ? s->triangle : kNone, t, share);
-                };
+                const auto stretch = [&](const SurfaceSegment* s, double t, double share) { deposit(e, s, t, share); };
                 integrate(lists.of(i), piece_->when, exposures_[e], stretch);
             }
         }
     }
 
-  private:
+    // sampled: the exposures, or parts of them.
+    void sample(const PixelTile& tile, std::span<const TimeRange> sampled, TraceCounters& counters) const {
+        const TileSamples tiled = samples_of(tile, exposing_->size, exposing_->tracers.samples);
+        SurfaceSegmentLists lists;
+        exposing_->tracers.discrete->trace(piece_->when, tiled.samples, sampled, lists, counters);
+        for (std::size_t i = 0; i < tiled.samples.size(); ++i) {
+            const Deposit deposit = {this, &tiled.samples[i], lists.reflected, tiled.pixels[i],
+                                     1.0 / exposing_->tracers.samples};
+            integrate_instants(lists.of(i), sampled, [&](const SurfaceSegment& s, std::size_t e, double t) {
+                deposit(e, &s, t, share_of(sampled[e], exposures_[e]));
+            });
+        }
+    }
+
+    static double share_of(TimeRange part, TimeRange exposure) {
+        return exposure.duration_s() > 0.0 ? part.duration_s() / exposure.duration_s() : 1.0;
+    }
+
     // Adds what one sample sees at a time to its pixel.
     struct Deposit {
         const TileExposure* tile;
         const ImageSample* sample;
+        std::span<const SurfaceSegment> reflected;
         std::uint32_t pixel;
+        double weight;  // of the sample in its pixel
 
-        void operator()(std::size_t exposure, TriangleId triangle, double time_s, double share) const {
-            const double weight = share / tile->exposing_->samples_per_pixel;
-            const Radiance seen =
-                tile->exposing_->shader.radiance(*tile->piece_, sample->x, sample->y, triangle, time_s);
-            tile->films_[exposure]->add(pixel, static_cast<float>(weight), seen);
+        void operator()(std::size_t exposure, const SurfaceSegment* seen, double time_s, double share) const {
+            const SceneShader::Sighting sighting = {sample->x, sample->y, seen, reflected};
+            tile->films_[exposure]->add(pixel, static_cast<float>(share * weight),
+                                        tile->exposing_->shader.radiance(*tile->piece_, sighting, time_s));
         }
     };
 

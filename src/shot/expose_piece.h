@@ -11,16 +11,15 @@
 #include "shot/interrupted.h"
 #include "shot/pixel_tile.h"
 #include "shot/scene_shader.h"
-#include "trace/tracer.h"
+#include "shot/tile_choice.h"
 
 namespace overfly {
 
 // What exposing film takes.
 struct Exposing {
-    const Tracer& tracer;
+    TracerPair tracers;
     const SceneShader& shader;
     PictureSize size;
-    int samples_per_pixel = 1;
     ShouldStop should_stop;
 };
 

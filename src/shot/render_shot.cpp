@@ -9,15 +9,16 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/version.h"
-#include "io/colour_relief_file.h"
 #include "io/frame_file.h"
 #include "io/temporary_file.h"
-#include "shade/hypsometric.h"
 #include "shot/expose_piece.h"
 #include "shot/flight_notes.h"
 #include "shot/previews.h"
+#include "shot/scene_light.h"
 #include "shot/shot_inputs.h"
 #include "shot/shot_motion.h"
+#include "shot/shot_sight.h"
+#include "shot/shot_tracers.h"
 #include "shot/stage.h"
 
 namespace overfly {
@@ -37,14 +38,6 @@ void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw UserError({folder}, fmt::format("output.folder: can't be made: {}", error.message()));
-}
-
-ColourRamp colours_of(const ShotDocument& shot, const Stage& stage) {
-    const auto& heights = stage.mesh().elevation_m;
-    const auto [lowest, highest] = std::ranges::minmax_element(heights);
-    if (shot.look.colours.empty()) return hypsometric_ramp(*lowest, *highest);
-    return colour_ramp(read_colour_relief(shot.look.colours),
-                       {static_cast<double>(*lowest), static_cast<double>(*highest)});
 }
 
 struct Rendering {
@@ -174,28 +167,26 @@ std::vector<PlannedFrame> frames_to_render(Rendering& rendering, const std::vect
     return missing;
 }
 
-Tracer make_tracer(TracerKind kind, const Stage& stage) {
-    if (kind == TracerKind::Discrete) return DiscreteTracer(stage.rays());
-    return IntervalTracer(stage.mesh());
-}
+// Everything that a shot is rendered from, ready.
+struct Scenery {
+    const Stage& stage;
+    const CameraPath& path;
+    const ShotBodies& bodies;
+    const Daylight& daylight;
+    const Sight& sight;
+};
 
-void render_frames(Rendering& rendering, const Stage& stage, const CameraPath& path, const Motion& motion,
-                   const std::vector<PlannedFrame>& frames, const std::string& inputs) {
+void render_frames(Rendering& rendering, const Scenery& scenery, const std::vector<PlannedFrame>& frames,
+                   const std::string& inputs) {
     const ShotDocument& shot = rendering.shot;
-    const Stopwatch light_watch;
-    const Daylight daylight(shot.look.look);
-    const auto is_blocked = [&](Point<Scene> from, Vector<Scene> direction) {
-        return stage.rays().is_blocked(from, direction);
-    };
-    const GroundLight light =
-        light_ground(stage.mesh(), colours_of(shot, stage), daylight, is_blocked, rendering.options.progress);
-    rendering.result.light_s = light_watch.seconds();
-    const Tracer tracer = make_tracer(shot.sampling.tracer, stage);
-    const SceneShader shader(stage.mesh(), light, daylight, shot.image.transparent_sky);
-    const int per_pixel = shot.sampling.tracer == TracerKind::Discrete ? shot.sampling.samples : shot.sampling.lines;
+    const Stopwatch watch;
+    const SceneLight light(shot, scenery.stage, scenery.daylight, rendering.options.progress);
+    rendering.result.light_s = watch.seconds();
+    const SceneShader shader = light.shader(scenery.bodies);
+    const ShotTracers tracers(shot, scenery.stage, scenery.bodies, scenery.sight);
     const Exposing exposing = {
-        tracer, shader, {shot.image.width, shot.image.height}, per_pixel, rendering.options.should_stop};
-    FrameLoop(rendering, stage, path, motion, inputs).run(exposing, frames);
+        tracers.pair(), shader, {shot.image.width, shot.image.height}, rendering.options.should_stop};
+    FrameLoop(rendering, scenery.stage, scenery.path, scenery.sight.motions.front(), inputs).run(exposing, frames);
 }
 
 std::vector<PlannedFrame> chosen(const std::vector<PlannedFrame>& frames, const std::string& choice) {
@@ -239,10 +230,13 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
     const std::string inputs = shot_inputs_hash(shot, stage.terrain().scene.content_hash);
     const std::vector<PlannedFrame> missing = frames_to_render(rendering, wanted, inputs);
     if (!missing.empty()) {
-        const Motion motion = shot_motion(shot, path, frames, stage);
-        result.motion_pieces = motion.pieces.size();
-        result.motion_error_px = motion.largest_error_px;
-        render_frames(rendering, stage, path, motion, missing, inputs);
+        const ShotBodies bodies = make_bodies(shot, stage);
+        const Daylight daylight(shot.look.look);
+        const Sight sight =
+            make_sight(shot, path, shot_motion(shot, path, frames, stage), {stage, bodies, daylight.to_sun()});
+        result.motion_pieces = sight.motions.front().pieces.size();
+        result.motion_error_px = largest_error_px(sight);
+        render_frames(rendering, {stage, path, bodies, daylight, sight}, missing, inputs);
     }
     const Stopwatch preview_watch;
     result.previews = make_previews(shot, frames, inputs, result.frames_rendered > 0, options.progress);

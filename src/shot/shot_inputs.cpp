@@ -4,9 +4,11 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/version.h"
 #include "io/content_hash.h"
+#include "io/mesh_file.h"
 
 namespace overfly {
 namespace {
@@ -25,6 +27,47 @@ std::string text_of(const Keyframe& k) {
     return text + fmt::format("attitude {} {} {}\n", a.heading.radians(), a.pitch.radians(), a.roll.radians());
 }
 
+std::string text_of(const TimePolynomial& p) { return fmt::format("[{}]", fmt::join(p.coefficients, " ")); }
+
+std::string text_of(const BodyMotion& motion) {
+    if (const auto* p = std::get_if<BodyPolynomials>(&motion)) {
+        return fmt::format("place {} {} {} {} {} {} {}\n", text_of(p->place), text_of(p->east_m), text_of(p->north_m),
+                           text_of(p->up_m), text_of(p->heading_deg), text_of(p->pitch_deg), text_of(p->roll_deg));
+    }
+    const auto& flight = std::get<BodyFlight>(motion);
+    std::string text = fmt::format("flight, delay {}\n", flight.delay_s);
+    for (const Keyframe& k : flight.keyframes) text += text_of(k);
+    return text;
+}
+
+// A mesh file adds itself to the files.
+std::string text_of(const BodyShape& shape, std::vector<std::filesystem::path>& files) {
+    if (const auto* source = std::get_if<MeshSource>(&shape)) {
+        const auto inputs = mesh_file_inputs(source->file);
+        files.insert(files.end(), inputs.begin(), inputs.end());
+        return fmt::format("mesh of {} files, {} {}\n", inputs.size(), source->scale, static_cast<int>(source->up));
+    }
+    std::string text;
+    if (const auto* polygons = std::get_if<std::vector<Polygon>>(&shape)) {
+        for (const Polygon& polygon : *polygons) {
+            text += "polygon";
+            for (const Point<Scene>& p : polygon) text += fmt::format(" {},{},{}", p.x, p.y, p.z);
+            text += '\n';
+        }
+        return text;
+    }
+    text = "outline";
+    for (const LonLat& c : std::get<Outline>(shape)) text += fmt::format(" {},{}", c.lon.radians(), c.lat.radians());
+    return text + '\n';
+}
+
+std::string text_of(const BodyDocument& body, std::vector<std::filesystem::path>& files) {
+    const std::string shape = text_of(body.shape, files);
+    return fmt::format("body {} {} {} mirror {} shadow {}\n", body.albedo.r, body.albedo.g, body.albedo.b, body.mirror,
+                       body.shadow) +
+           shape + text_of(body.motion);
+}
+
 }  // namespace
 
 std::string shot_inputs_hash(const ShotDocument& shot, const std::string& scene_hash) {
@@ -35,12 +78,16 @@ std::string shot_inputs_hash(const ShotDocument& shot, const std::string& scene_
                         shot.frames.rate.denominator, shot.frames.start_s);
     text += fmt::format("image {}x{} {}\n", shot.image.width, shot.image.height, shot.image.transparent_sky);
     text += fmt::format("shutter {} {}\n", shot.shutter.angle.radians(), static_cast<int>(shot.shutter.phase));
-    text += fmt::format("sampling {} {}\n", static_cast<int>(shot.sampling.tracer),
-                        shot.sampling.tracer == TracerKind::Discrete ? shot.sampling.samples : shot.sampling.lines);
+    const TracerKind tracer = shot.sampling.tracer;
+    text += fmt::format("sampling {} {} {}\n", static_cast<int>(tracer),
+                        tracer != TracerKind::Discrete ? shot.sampling.lines : 0,
+                        tracer != TracerKind::Interval ? shot.sampling.samples : 0);
     text += fmt::format("look {} {} {} {} {} {}\n", look.sun_azimuth.radians(), look.sun_elevation.radians(),
                         look.sun_strength, look.sky_strength, look.visibility_m, look.exposure_stops);
     text += fmt::format("motion {}\n", shot.motion_bound_px);
+    text += fmt::format("mirrors {} shadows {}\n", shot.sampling.mirror_depth, static_cast<int>(shot.look.sun_shadows));
     std::vector<std::filesystem::path> files;
+    for (const BodyDocument& body : shot.bodies) text += text_of(body, files);
     if (!shot.look.colours.empty()) files.push_back(shot.look.colours);
     return content_hash(files, text);
 }

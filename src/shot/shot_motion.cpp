@@ -9,6 +9,15 @@ constexpr double kLongestPiece_frames = 4.0;
 
 }  // namespace
 
+MotionOptions motion_options(const ShotDocument& shot) {
+    MotionOptions options;
+    options.bound_px = shot.motion_bound_px;
+    options.width_px = shot.image.width;
+    options.height_px = shot.image.height;
+    options.longest_piece_s = kLongestPiece_frames / shot.frames.rate.per_s();
+    return options;
+}
+
 Motion shot_motion(const ShotDocument& shot, const CameraPath& path, std::span<const PlannedFrame> frames,
                    const Stage& stage) {
     const double frame_s = 1.0 / shot.frames.rate.per_s();
@@ -16,12 +25,7 @@ Motion shot_motion(const ShotDocument& shot, const CameraPath& path, std::span<c
     // Pieces exclude their end, and an exposure may be an instant.
     if (when.duration_s() < frame_s * static_cast<double>(frames.size()))
         when.end_s = when.begin_s + frame_s * static_cast<double>(frames.size());
-    MotionOptions options;
-    options.bound_px = shot.motion_bound_px;
-    options.width_px = shot.image.width;
-    options.height_px = shot.image.height;
-    options.longest_piece_s = kLongestPiece_frames * frame_s;
-    return fit_motion(path, when, stage.surroundings(), options);
+    return fit_motion(path, when, stage.surroundings(), motion_options(shot));
 }
 
 }  // namespace overfly

@@ -9,6 +9,9 @@
 
 namespace overfly {
 
+// How exactly a shot's motions are fitted.
+[[nodiscard]] MotionOptions motion_options(const ShotDocument& shot);
+
 // The inverted flight over all exposures of a shot's frames. The same for every choice of frames.
 [[nodiscard]] Motion shot_motion(const ShotDocument& shot, const CameraPath& path, std::span<const PlannedFrame> frames,
                                  const Stage& stage);

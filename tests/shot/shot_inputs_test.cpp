@@ -65,6 +65,92 @@ TEST(ShotInputs, EverythingThatChangesPixelsChangesTheHash) {
     EXPECT_TRUE(hashes.insert(shot_inputs_hash(coloured, "scene")).second) << "other colours under the same name";
 }
 
+// A body of each shape and motion.
+std::vector<BodyDocument> sample_bodies(const ShotDocument& shot, const std::filesystem::path& mesh) {
+    std::ofstream(mesh) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    BodyPolynomials drift;
+    drift.place = {Angle::degrees(-105.52), Angle::degrees(37.6), 100.0, HeightAbove::Ground};
+    drift.east_m.coefficients = {1.0, 2.0};
+    BodyDocument kite;
+    kite.name = "kite";
+    kite.shape = std::vector<Polygon>{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    kite.motion = drift;
+    BodyDocument plane = kite;
+    plane.name = "plane";
+    plane.shape = MeshSource{mesh};
+    plane.motion = BodyFlight{shot.flight.keyframes, 1.0};
+    BodyDocument lake = kite;
+    lake.name = "lake";
+    lake.shape = Outline{{Angle::degrees(-105.5), Angle::degrees(37.6)},
+                         {Angle::degrees(-105.4), Angle::degrees(37.6)},
+                         {Angle::degrees(-105.4), Angle::degrees(37.5)}};
+    return {kite, plane, lake};
+}
+
+TEST(ShotInputs, EverythingAboutBodiesThatChangesPixelsChangesTheHash) {
+    const TemporaryFolder folder;
+    ShotDocument shot = sample_shot(folder.path());
+    shot.bodies = sample_bodies(shot, folder / "a.obj");
+    const auto drift = [](ShotDocument& s) -> BodyPolynomials& {
+        return std::get<BodyPolynomials>(s.bodies[0].motion);
+    };
+    const auto flight = [](ShotDocument& s) -> BodyFlight& { return std::get<BodyFlight>(s.bodies[1].motion); };
+    const auto mesh = [](ShotDocument& s) -> MeshSource& { return std::get<MeshSource>(s.bodies[1].shape); };
+    std::ofstream(folder / "b.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n";
+    const std::vector<Change> changes = {
+        [](ShotDocument&) {},
+        [](ShotDocument& s) { s.bodies.clear(); },
+        [](ShotDocument& s) { s.bodies.pop_back(); },
+        [](ShotDocument& s) { s.bodies[0].albedo.g = 0.25F; },
+        [](ShotDocument& s) { s.bodies[0].mirror = 0.25; },
+        [](ShotDocument& s) { s.bodies[1].shadow = false; },
+        [](ShotDocument& s) { std::get<std::vector<Polygon>>(s.bodies[0].shape)[0][2].z = 1e-9; },
+        [](ShotDocument& s) { std::get<Outline>(s.bodies[2].shape)[0].lon = Angle::degrees(-105.51); },
+        [&](ShotDocument& s) { drift(s).place.height_m += 1e-6; },
+        [&](ShotDocument& s) { drift(s).east_m.coefficients[1] += 1e-9; },
+        [&](ShotDocument& s) { std::swap(drift(s).east_m, drift(s).north_m); },
+        [&](ShotDocument& s) { drift(s).up_m.coefficients = {1.0}; },
+        [&](ShotDocument& s) { drift(s).heading_deg.coefficients = {1.0}; },
+        [&](ShotDocument& s) { drift(s).pitch_deg.coefficients = {1.0}; },
+        [&](ShotDocument& s) { drift(s).roll_deg.coefficients = {1.0}; },
+        [&](ShotDocument& s) { flight(s).delay_s = 1.5; },
+        [&](ShotDocument& s) { flight(s).keyframes[1].place.height_m += 1e-6; },
+        [&](ShotDocument& s) { mesh(s).scale = 2.0; },
+        [&](ShotDocument& s) { mesh(s).up = UpAxis::Y; },
+        [&](ShotDocument& s) { mesh(s).file = folder / "b.obj"; },
+        [](ShotDocument& s) { s.sampling.mirror_depth = 2; },
+        [](ShotDocument& s) { s.look.sun_shadows = SunShadows::Exact; },
+    };
+    std::set<std::string> hashes;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        ShotDocument changed = shot;
+        changes[i](changed);
+        EXPECT_TRUE(hashes.insert(shot_inputs_hash(changed, "scene")).second) << "change " << i;
+    }
+    std::ofstream(folder / "a.obj") << "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_TRUE(hashes.insert(shot_inputs_hash(shot, "scene")).second) << "another mesh under the same name";
+}
+
+TEST(ShotInputs, NamesOfBodiesAndOfTheirFilesDoNotChangeTheHash) {
+    const TemporaryFolder folder;
+    ShotDocument shot = sample_shot(folder.path());
+    shot.bodies = sample_bodies(shot, folder / "a.obj");
+    const std::string hash = shot_inputs_hash(shot, "scene");
+    std::filesystem::rename(folder / "a.obj", folder / "renamed.obj");
+    std::get<MeshSource>(shot.bodies[1].shape).file = folder / "renamed.obj";
+    shot.bodies[0].name = "another";
+    shot.bodies[1].flight_file = "elsewhere.yaml";
+    EXPECT_EQ(shot_inputs_hash(shot, "scene"), hash);
+}
+
+TEST(ShotInputs, NeedTheMeshOfABody) {
+    const TemporaryFolder folder;
+    ShotDocument shot = sample_shot(folder.path());
+    shot.bodies = sample_bodies(shot, folder / "a.obj");
+    std::filesystem::remove(folder / "a.obj");
+    EXPECT_THROW((void)shot_inputs_hash(shot, "scene"), UserError);
+}
+
 TEST(ShotInputs, NamesAndChoicesDoNotChangeTheHash) {
     const TemporaryFolder folder;
     const ShotDocument shot = sample_shot(folder.path());

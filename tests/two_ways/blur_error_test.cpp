@@ -19,14 +19,14 @@ TEST_F(BlurError, SixteenLinesAreWithinFourThousandths) {
     PreparedTerrain blanca = terrain();
     const FlightDocument document = flight_over(blanca.scene.report, diving_flight());
     const Stage stage(std::move(blanca), middle_of(document));
-    const Motion motion = motion_over(document, stage, {0.01, 240, 135, 1.0 / 6.0});
-    const FrameMaker maker = {stage, motion, {240, 135}, {1.0, 1.0 + 1.0 / 48.0}};
-    const Frame reference = maker.expose(DiscreteTracer(stage.rays()), 1024);
-    const double error = root_mean_square_error(maker.expose(IntervalTracer(stage.mesh()), 16), reference);
+    const Sight sight = sight_of(motion_over(document, stage, {0.01, 240, 135, 1.0 / 6.0}));
+    const FrameMaker maker = {stage, sight, {240, 135}, {1.0, 1.0 + 1.0 / 48.0}};
+    const Frame reference = maker.by_samples(1024);
+    const double error = root_mean_square_error(maker.by_lines(16), reference);
     std::cout << "RMSE of 16 lines against 1,024 samples: " << error << "\n";
     EXPECT_LT(error, 0.004);
     // Beside it, so that the bound means something: as many samples as lines are worse.
-    EXPECT_LT(error, root_mean_square_error(maker.expose(DiscreteTracer(stage.rays()), 16), reference));
+    EXPECT_LT(error, root_mean_square_error(maker.by_samples(16), reference));
 }
 
 // An instant: no blur, so lines and samples at the same places see the same.
@@ -34,10 +34,10 @@ TEST_F(BlurError, AnInstantIsTheSameForBothTracers) {
     PreparedTerrain blanca = terrain();
     const FlightDocument document = flight_over(blanca.scene.report, level_flight());
     const Stage stage(std::move(blanca), middle_of(document));
-    const Motion motion = motion_over(document, stage, {0.01, 160, 90, 1.0 / 6.0});
-    const FrameMaker maker = {stage, motion, {160, 90}, {0.7, 0.7}};
-    const Frame lines = maker.expose(IntervalTracer(stage.mesh()), 4);
-    const Frame samples = maker.expose(DiscreteTracer(stage.rays()), 4);
+    const Sight sight = sight_of(motion_over(document, stage, {0.01, 160, 90, 1.0 / 6.0}));
+    const FrameMaker maker = {stage, sight, {160, 90}, {0.7, 0.7}};
+    const Frame lines = maker.by_lines(4);
+    const Frame samples = maker.by_samples(4);
     EXPECT_LT(root_mean_square_error(lines, samples), 1e-5);
 }
 

@@ -4,6 +4,7 @@
 
 #include "film/film_frame.h"
 #include "shot/expose_piece.h"
+#include "shot/shot_tracers.h"
 #include "two_ways/terrain_flights.h"
 
 namespace overfly::testing {
@@ -19,29 +20,52 @@ inline ColourRamp banded_ramp() {
     return ramp;
 }
 
-// One frame of a flight, exposed by a tracer with so many samples a pixel.
+// One frame of a flight, exposed by a tracer with so many samples a pixel; with bodies, if there are any, and the
+// shadows that `shot` asks for.
 struct FrameMaker {
     const Stage& stage;
-    const Motion& motion;
+    const Sight& sight;
     PictureSize size;
     TimeRange exposure;
-    Daylight day{Look{}};
-    GroundLight light =
-        light_ground(stage.mesh(), banded_ramp(), day, [](Point<Scene>, Vector<Scene>) { return false; });
+    ShotDocument shot{};
+    const ShotBodies& bodies = kNobody;
+    Daylight day{shot.look.look};
+    GroundLight light = light_ground(
+        stage.mesh(), banded_ramp(), day, [](Point<Scene>, Vector<Scene>) { return false; },
+        shot.look.sun_shadows == SunShadows::Exact ? GroundShadows::Traced : GroundShadows::Baked);
 
-    [[nodiscard]] Frame expose(const Tracer& tracer, int samples) const {
-        const SceneShader shader(stage.mesh(), light, day, false);
+    inline static const ShotBodies kNobody;
+
+    [[nodiscard]] Frame expose(TracerKind kind, int lines, int samples) const {
+        ShotDocument asked = shot;
+        asked.sampling.tracer = kind;
+        asked.sampling.lines = lines;
+        asked.sampling.samples = samples;
+        const ShotTracers tracers(asked, stage, bodies, sight);
+        std::vector<ShadedBody> shaded;
+        for (const auto& body : bodies)
+            shaded.push_back({&body->mesh(), {body->document().albedo, body->document().mirror}});
+        const SceneShader shader(stage.mesh(), light, day, false, shaded);
         FilmFrame film(size.width, size.height);
-        const Exposing exposing = {tracer, shader, size, samples, {}};
+        const Exposing exposing = {tracers.pair(), shader, size, {}};
         const std::vector<PlannedFrame> frames = {{1, exposure.begin_s, exposure, {}}};
         const std::vector<FilmFrame*> films = {&film};
         TraceCounters counters;
-        for (const MotionPiece& piece : motion.pieces) {
+        for (const MotionPiece& piece : sight.motions.front().pieces) {
             if (is_exposed_in(frames[0], piece)) expose_piece(exposing, piece, frames, films, counters);
         }
         return std::move(film).develop();
     }
+    [[nodiscard]] Frame by_lines(int lines) const { return expose(TracerKind::Interval, lines, 1); }
+    [[nodiscard]] Frame by_samples(int samples) const { return expose(TracerKind::Discrete, 1, samples); }
 };
+
+// The camera's sight of terrain alone.
+inline Sight sight_of(Motion motion) {
+    Sight sight;
+    sight.motions.push_back(std::move(motion));
+    return sight;
+}
 
 // Of red, green and blue together, in shares of full scale (linear 1).
 inline double root_mean_square_error(const Frame& a, const Frame& b) {

@@ -50,10 +50,10 @@ TEST(SharedTerrainBlur, SixteenLinesAtFullSize) {
         prepared(std::filesystem::path(OVERFLY_SHARED_DATA) / "dem" / "bigtujunga_srtm30m_utm11n.tif");
     const FlightDocument document = flight_over(terrain.scene.report, level_flight());
     const Stage stage(std::move(terrain), middle_of(document));
-    const Motion motion = motion_over(document, stage, {0.01, 960, 540, 1.0 / 6.0});
-    const FrameMaker maker = {stage, motion, {960, 540}, {1.0, 1.0 + 1.0 / 48.0}};
-    const Frame reference = maker.expose(DiscreteTracer(stage.rays()), 1024);
-    const double error = root_mean_square_error(maker.expose(IntervalTracer(stage.mesh()), 16), reference);
+    const Sight sight = sight_of(motion_over(document, stage, {0.01, 960, 540, 1.0 / 6.0}));
+    const FrameMaker maker = {stage, sight, {960, 540}, {1.0, 1.0 + 1.0 / 48.0}};
+    const Frame reference = maker.by_samples(1024);
+    const double error = root_mean_square_error(maker.by_lines(16), reference);
     std::cout << "RMSE of 16 lines against 1,024 samples: " << error << "\n";
     EXPECT_LT(error, 0.004);
 }

@@ -6,7 +6,7 @@ case_version() {
     expect_empty stderr
     expect_match <(head -1 stdout) '^overfly [0-9]+[.][0-9]+[.][0-9]+$'
     local library
-    for library in oneTBB GeographicLib Embree Highway GDAL PROJ OpenEXR OpenImageIO yaml-cpp; do
+    for library in oneTBB GeographicLib GEOS Embree Highway GDAL PROJ OpenEXR OpenImageIO Assimp yaml-cpp; do
         expect_match stdout "^$library [0-9]+[.]"
     done
 }
@@ -15,8 +15,8 @@ case_help() {
     run --help
     expect_exit 0
     local verb
-    for verb in import path render batch bench; do expect_match stdout "^  $verb  +[a-z]"; done
-    for verb in import path render batch bench 'bench flight'; do
+    for verb in import path render batch bench timeline; do expect_match stdout "^  $verb  +[a-z]"; done
+    for verb in import path render batch bench 'bench flight' timeline; do
         # shellcheck disable=SC2086
         run $verb --help
         expect_exit 0
@@ -27,17 +27,17 @@ case_help() {
 
 case_no_verb() {
     run
-    refused 'overfly: a verb is missing; known: import, path, render, batch, bench (overfly --help tells more)'
+    refused 'overfly: a verb is missing; known: import, path, render, batch, bench, timeline (overfly --help tells more)'
 }
 
 case_unknown_verb() {
     run rendr shot.yaml
-    refused "overfly: unknown verb 'rendr'; did you mean 'render'? known: import, path, render, batch, bench (overfly --help tells more)"
+    refused "overfly: unknown verb 'rendr'; did you mean 'render'? known: import, path, render, batch, bench, timeline (overfly --help tells more)"
 }
 
 case_unknown_options() {
     run --nonsense
-    refused "overfly: unknown option '--nonsense'; a verb comes first: import, path, render, batch, bench (overfly --help tells more)"
+    refused "overfly: unknown option '--nonsense'; a verb comes first: import, path, render, batch, bench, timeline (overfly --help tells more)"
     run render shot.yaml --nonsense
     refused 'overfly: The following argument was not expected: --nonsense (overfly render --help tells more)'
     run render
@@ -61,6 +61,13 @@ case_json_alone_on_standard_output() {
     run bench flight shot.yaml --pairs 1000 --json
     expect_exit 0
     expect_equal 'pairs' "$(json /agreement/pairs)" 1000
+    expect_equal 'lines that see something else by inflated boxes' "$(json /volumes/differing_rays)" 0
+    local of count
+    for of in inflated swept swept_in_parts; do
+        for count in bv_tests bv_hits poly_tests poly_hits; do
+            expect_equal "$of $count" "$(awk "BEGIN { print ($(json /volumes/$of/$count) > 0) }")" 1
+        done
+    done
 }
 
 case_quiet() {

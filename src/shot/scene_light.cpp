@@ -1,0 +1,39 @@
+#include "shot/scene_light.h"
+
+#include <algorithm>
+
+#include "io/colour_relief_file.h"
+#include "shade/hypsometric.h"
+
+namespace overfly {
+namespace {
+
+ColourRamp colours_of(const ShotDocument& shot, const Stage& stage) {
+    const auto& heights = stage.mesh().elevation_m;
+    const auto [lowest, highest] = std::ranges::minmax_element(heights);
+    if (shot.look.colours.empty()) return hypsometric_ramp(*lowest, *highest);
+    return colour_ramp(read_colour_relief(shot.look.colours),
+                       {static_cast<double>(*lowest), static_cast<double>(*highest)});
+}
+
+GroundLight ground_light(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress) {
+    const auto is_blocked = [&](Point<Scene> from, Vector<Scene> direction) {
+        return stage.rays().is_blocked(from, direction);
+    };
+    const auto shadows = shot.look.sun_shadows == SunShadows::Baked ? GroundShadows::Baked : GroundShadows::Traced;
+    return light_ground(stage.mesh(), colours_of(shot, stage), day, is_blocked, shadows, progress);
+}
+
+}  // namespace
+
+SceneLight::SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress)
+    : shot_(&shot), stage_(&stage), day_(&day), ground_(ground_light(shot, stage, day, progress)) {}
+
+SceneShader SceneLight::shader(const ShotBodies& bodies) const {
+    std::vector<ShadedBody> shaded;
+    for (const auto& body : bodies)
+        shaded.push_back({&body->mesh(), {body->document().albedo, body->document().mirror}});
+    return {stage_->mesh(), ground_, *day_, shot_->image.transparent_sky, std::move(shaded)};
+}
+
+}  // namespace overfly

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "config/documents.h"
+#include "core/progress.h"
+#include "shot/scene_shader.h"
+#include "shot/shot_body.h"
+#include "shot/stage.h"
+
+namespace overfly {
+
+// The light of a shot on its terrain, worked out once.
+class SceneLight {
+  public:
+    // All must outlive it.
+    SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress);
+
+    [[nodiscard]] SceneShader shader(const ShotBodies& bodies) const;
+
+  private:
+    const ShotDocument* shot_;
+    const Stage* stage_;
+    const Daylight* day_;
+    GroundLight ground_;
+};
+
+}  // namespace overfly
