@@ -81,9 +81,9 @@ std::string volumes_text(const BenchResult& r) {
         fmt::format("  {} rays, {} of which see something else; inflated boxes take {:.2f} s to build for each piece\n",
                     v.swept.rays, v.differing, v.inflated_build_s);
     for (const SwollenBoxes& b : r.swollen) {
-        text +=
-            fmt::format("  inflated for {:>2} pieces, {:.2f} s: {:.0f} boxes around triangles in the way of a line\n",
-                        b.pieces, b.lasting_s, b.per_line);
+        text += fmt::format(
+            "  inflated to last {:.2f} s (pieces: {}): {:.0f} boxes around triangles in the way of a line\n",
+            b.lasting_s, b.pieces, b.per_line);
     }
     text += '\n';
     return text;
