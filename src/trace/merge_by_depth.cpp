@@ -10,12 +10,6 @@
 namespace overfly {
 namespace {
 
-// The coefficients between two times of c[0] + c[1] u + c[2] u^2.
-Bernstein<2> between(const std::array<double, 3>& c, double u0, double u1) {
-    return {c[0] + u0 * (c[1] + u0 * c[2]), c[0] + 0.5 * (u0 + u1) * c[1] + u0 * u1 * c[2],
-            c[0] + u1 * (c[1] + u1 * c[2])};
-}
-
 class Merge {
   public:
     Merge(std::span<const TriangleMesh* const> meshes, const ImageSample& sample, std::vector<SurfaceSegment>& out)
@@ -54,25 +48,29 @@ class Merge {
         return {*meshes_[s.surface], s.triangle, *s.motion, sample_->x, sample_->y};
     }
 
-    [[nodiscard]] const SurfaceSegment& nearer_at(const SurfaceSegment& a, const SurfaceSegment& b,
-                                                  double time_s) const {
+    // All through `when`, in which their depths don't cross.
+    [[nodiscard]] const SurfaceSegment& nearer(const SurfaceSegment& a, const SurfaceSegment& b, TimeRange when) const {
         if (a.triangle == kNone || b.triangle == kNone) return a.triangle == kNone ? b : a;
-        const double of_a = depth_of(a).at(a.motion->u_at(time_s));
-        const double of_b = depth_of(b).at(b.motion->u_at(time_s));
-        if (of_a == of_b) return a.surface > b.surface ? a : b;
-        return of_a < of_b ? a : b;
+        // In the middle; and elsewhere, for that may be the one time at which they touch.
+        for (const double share : {0.5, 0.375}) {
+            const double time_s = when.begin_s + share * when.duration_s();
+            const double of_a = depth_of(a).at(a.motion->u_at(time_s));
+            const double of_b = depth_of(b).at(b.motion->u_at(time_s));
+            if (of_a != of_b) return of_a < of_b ? a : b;
+        }
+        return a.surface > b.surface ? a : b;
     }
 
     // Both last through `when`.
     void decide(const SurfaceSegment& a, const SurfaceSegment& b, TimeRange when) {
         if (when.duration_s() == 0.0) {
-            add(nearer_at(a, b, when.begin_s), when);
+            add(nearer(a, b, when), when);
             return;
         }
         double from_s = when.begin_s;
         const auto decide_until = [&](double to_s) {
             if (to_s <= from_s) return;
-            add(nearer_at(a, b, 0.5 * (from_s + to_s)), {from_s, to_s});
+            add(nearer(a, b, {from_s, to_s}), {from_s, to_s});
             from_s = to_s;
         };
         if (a.triangle != kNone && b.triangle != kNone) {
@@ -84,11 +82,10 @@ class Merge {
     [[nodiscard]] Roots<4> crossings(const SurfaceSegment& a, const SurfaceSegment& b, TimeRange when) const {
         const PlaneDepth of_a = depth_of(a);
         const PlaneDepth of_b = depth_of(b);
-        const auto in = [&](const SurfaceSegment& s, const std::array<double, 3>& c) {
-            return between(c, s.motion->u_at(when.begin_s), s.motion->u_at(when.end_s));
-        };
-        const Bernstein<4> left = in(a, of_a.numerator) * in(b, of_b.denominator);
-        const Bernstein<4> right = in(b, of_b.numerator) * in(a, of_a.denominator);
+        const double a0 = a.motion->u_at(when.begin_s), a1 = a.motion->u_at(when.end_s);
+        const double b0 = b.motion->u_at(when.begin_s), b1 = b.motion->u_at(when.end_s);
+        const Bernstein<4> left = of_a.numerator_over(a0, a1) * of_b.denominator_over(b0, b1);
+        const Bernstein<4> right = of_b.numerator_over(b0, b1) * of_a.denominator_over(a0, a1);
         Bernstein<4> difference{};
         for (std::size_t k = 0; k < difference.size(); ++k) difference[k] = left[k] - right[k];
         return sign_change_roots<4>(difference);

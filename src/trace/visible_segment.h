@@ -50,6 +50,10 @@ struct TraceCounters {
     std::uint64_t triangle_hits = 0;
     std::uint64_t segments = 0;  // visible segments found
     std::uint64_t resolved = 0;  // discrete: hits too near an edge for float, decided again in double
+    // Kinetic: samples set down by a discrete ray, at the begin of a piece or where a stride went astray; steps to a
+    // neighbour; silhouettes that came in front, and that were left; and how often the walk found that it was not where
+    // it thought.
+    std::uint64_t restarts = 0, crossings = 0, occlusions = 0, disocclusions = 0, lost = 0;
 
     TraceCounters& operator+=(const TraceCounters& other) {
         rays += other.rays;
@@ -59,6 +63,11 @@ struct TraceCounters {
         triangle_hits += other.triangle_hits;
         segments += other.segments;
         resolved += other.resolved;
+        restarts += other.restarts;
+        crossings += other.crossings;
+        occlusions += other.occlusions;
+        disocclusions += other.disocclusions;
+        lost += other.lost;
         return *this;
     }
 };
