@@ -26,9 +26,9 @@ void refuse_other_kind(const std::string& file) {
 
 void ShotArguments::add_to(CLI::App& verb) {
     verb.add_option("--set", set, "put a value into the document: image.width=480")->expected(1)->take_all();
-    verb.add_option("--tracer", tracer, "interval or discrete");
-    verb.add_option("--lines", lines, "lines per pixel of the interval tracer");
-    verb.add_option("--samples", samples, "samples per pixel of the discrete tracer");
+    verb.add_option("--tracer", tracer, "kinetic, interval, discrete or hybrid");
+    verb.add_option("--lines", lines, "lines per pixel: kinetic, interval, hybrid");
+    verb.add_option("--samples", samples, "samples per pixel: discrete, hybrid");
     verb.add_option("-o,--output", folder, "folder for the frames");
 }
 

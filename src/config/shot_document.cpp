@@ -37,8 +37,10 @@ void read_shutter(Section& section, Shutter& shutter) {
 }
 
 void read_sampling(Section& section, SamplingDocument& sampling) {
-    static constexpr NamedValue<TracerKind> kTracers[] = {
-        {"interval", TracerKind::Interval}, {"discrete", TracerKind::Discrete}, {"hybrid", TracerKind::Hybrid}};
+    static constexpr NamedValue<TracerKind> kTracers[] = {{"kinetic", TracerKind::Kinetic},
+                                                          {"interval", TracerKind::Interval},
+                                                          {"discrete", TracerKind::Discrete},
+                                                          {"hybrid", TracerKind::Hybrid}};
     section.read("tracer", sampling.tracer, kTracers);
     section.read("lines", sampling.lines, {1, 1024});
     section.read("samples", sampling.samples, {1, 65536});

@@ -59,12 +59,15 @@ double root_mean_square(const Frame& a, const Frame& b) {
 
 double share_by_lines(const Exposing& hybrid, const Work& work) {
     std::vector<TimeRange> exposures;
-    for (const PlannedFrame& f : work.frames) exposures.push_back(f.exposure);
+    for (const PlannedFrame& f : hybrid.planned) {
+        if (is_exposed_in(f, work.piece)) exposures.push_back(f.exposure);
+    }
     const std::vector<PixelTile> tiles = tiles_of(hybrid.size);
     TraceCounters counters;
+    const PreparedSight prepared = hybrid.tracers.continuous->prepare(work.piece.when, hybrid.size.film_bounds());
     const auto by_lines = std::ranges::count_if(tiles, [&](const PixelTile& tile) {
         const TileSamples lines = samples_of(tile, hybrid.size, hybrid.tracers.lines);
-        return lines_are_cheaper(hybrid.tracers, work.piece.when, lines.samples, exposures, counters);
+        return lines_are_cheaper(hybrid.tracers, prepared, lines.samples, exposures, counters);
     });
     return static_cast<double>(by_lines) / static_cast<double>(tiles.size());
 }
@@ -88,6 +91,7 @@ struct HybridScene {
     const ShotBodies& bodies;
     const Sight& sight;
     SceneShader shader;
+    std::span<const PlannedFrame> planned;
 
     [[nodiscard]] ShotTracers tracers(TracerKind kind, int samples) const {
         ShotDocument asked = shot;
@@ -96,22 +100,27 @@ struct HybridScene {
         return {asked, stage, bodies, sight};
     }
     [[nodiscard]] Exposing exposing(const ShotTracers& tracers_of_it) const {
-        return {tracers_of_it.pair(), shader, {shot.image.width, shot.image.height}, {}};
+        return {tracers_of_it.pair(), shader, {shot.image.width, shot.image.height}, {}, planned};
     }
 };
 
-// The pieces of the shot that are measured: evenly spread, with a frame in each.
+// The pieces of the shot that are measured: evenly spread over those with a frame in them.
 std::vector<Work> work_of(const Motion& motion, const std::vector<PlannedFrame>& frames) {
+    std::vector<const MotionPiece*> exposed;
+    for (const MotionPiece& piece : motion.pieces) {
+        if (std::ranges::any_of(frames, [&](const PlannedFrame& f) { return is_exposed_in(f, piece); }))
+            exposed.push_back(&piece);
+    }
     std::vector<Work> out;
-    const std::size_t pieces = std::min(kPieces, motion.pieces.size());
+    const std::size_t pieces = std::min(kPieces, exposed.size());
     for (std::size_t k = 0; k < pieces; ++k) {
-        Work work = {motion.pieces[(2 * k + 1) * motion.pieces.size() / (2 * pieces)], {}};
+        Work work = {*exposed[(2 * k + 1) * exposed.size() / (2 * pieces)], {}};
         for (const PlannedFrame& f : frames) {
             if (!is_exposed_in(f, work.piece)) continue;
             work.frames.push_back(f);
             work.frames.back().exposure = intersection(f.exposure, work.piece.when);
         }
-        if (!work.frames.empty()) out.push_back(std::move(work));
+        out.push_back(std::move(work));
     }
     return out;
 }
@@ -160,7 +169,7 @@ HybridBench bench_hybrid(const ShotDocument& shot, const BenchOptions& options) 
     const Daylight day(shot.look.look);
     const Sight sight = make_sight(shot, path, shot_motion(shot, path, frames, stage), {stage, bodies, day.to_sun()});
     const SceneLight light(shot, stage, day, options.progress);
-    const HybridScene scene = {shot, stage, bodies, sight, light.shader(bodies)};
+    const HybridScene scene = {shot, stage, bodies, sight, light.shader(bodies), frames};
     HybridBench result;
     result.width = shot.image.width;
     result.height = shot.image.height;

@@ -12,14 +12,22 @@ class TileExposure {
   public:
     TileExposure(const Exposing& exposing, const MotionPiece& piece, std::span<const TimeRange> exposures,
                  std::span<FilmFrame* const> films)
-        : exposing_(&exposing), piece_(&piece), exposures_(exposures), films_(films) {}
+        : exposing_(&exposing), piece_(&piece), exposures_(exposures), films_(films) {
+        const TracerPair& tracers = exposing.tracers;
+        const FilmBounds picture = exposing.size.film_bounds();
+        if (tracers.continuous != nullptr) prepared_lines_ = tracers.continuous->prepare(piece.when, picture);
+        if (tracers.discrete != nullptr) prepared_samples_ = tracers.discrete->prepare(piece.when, picture);
+        for (const PlannedFrame& f : exposing.planned) {
+            if (is_exposed_in(f, piece)) planned_.push_back(f.exposure);
+        }
+    }
 
     void run(const PixelTile& tile, TraceCounters& counters) const {
         const TracerPair& tracers = exposing_->tracers;
         if (tracers.continuous == nullptr) return sample(tile, exposures_, counters);
         const TileSamples lines = samples_of(tile, exposing_->size, tracers.lines);
         if (tracers.discrete == nullptr ||
-            lines_are_cheaper(tracers, piece_->when, lines.samples, exposures_, counters)) {
+            lines_are_cheaper(tracers, prepared_lines_, lines.samples, planned_, counters)) {
             return follow(lines, counters);
         }
         // The exposures' parts in this piece, each of which counts for its share: the rest may be followed.
@@ -31,7 +39,7 @@ class TileExposure {
   private:
     void follow(const TileSamples& lines, TraceCounters& counters) const {
         SurfaceSegmentLists lists;
-        exposing_->tracers.continuous->trace(piece_->when, lines.samples, exposures_, lists, counters);
+        exposing_->tracers.continuous->trace(prepared_lines_, lines.samples, exposures_, lists, counters);
         for (std::size_t i = 0; i < lines.samples.size(); ++i) {
             const Deposit deposit = {this, &lines.samples[i], lists.reflected, lines.pixels[i],
                                      1.0 / exposing_->tracers.lines};
@@ -46,7 +54,7 @@ class TileExposure {
     void sample(const PixelTile& tile, std::span<const TimeRange> sampled, TraceCounters& counters) const {
         const TileSamples tiled = samples_of(tile, exposing_->size, exposing_->tracers.samples);
         SurfaceSegmentLists lists;
-        exposing_->tracers.discrete->trace(piece_->when, tiled.samples, sampled, lists, counters);
+        exposing_->tracers.discrete->trace(prepared_samples_, tiled.samples, sampled, lists, counters);
         for (std::size_t i = 0; i < tiled.samples.size(); ++i) {
             const Deposit deposit = {this, &tiled.samples[i], lists.reflected, tiled.pixels[i],
                                      1.0 / exposing_->tracers.samples};
@@ -79,6 +87,8 @@ class TileExposure {
     const MotionPiece* piece_;
     std::span<const TimeRange> exposures_;
     std::span<FilmFrame* const> films_;
+    std::vector<TimeRange> planned_;
+    PreparedSight prepared_lines_, prepared_samples_;
 };
 
 }  // namespace

@@ -21,13 +21,17 @@ struct Exposing {
     const SceneShader& shader;
     PictureSize size;
     ShouldStop should_stop;
+    // All frames of the shot, asked for or not: what the hybrid chooses by, so that it chooses the same whichever are
+    // asked for.
+    std::span<const PlannedFrame> planned{};
 };
 
 // Told after each tile of a piece: which share of it is done.
 using PieceProgress = std::function<void(double share)>;
 
 // Traces one piece of the flight and adds what is seen to the frames that are exposed meanwhile.
-// frames and films go together; exposures in time order and without overlap. Throws Interrupted when asked to stop.
+// frames and films go together; frames are among the planned, in time order and without overlap. Throws Interrupted
+// when asked to stop.
 // GUARANTEES: a film's pixels are the same to the bit whichever other frames are exposed with it, in whatever tile
 // order.
 void expose_piece(const Exposing& exposing, const MotionPiece& piece, std::span<const PlannedFrame> frames,

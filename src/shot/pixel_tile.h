@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "trace/silhouette_film.h"
 #include "trace/visible_segment.h"
 
 namespace overfly {
@@ -14,6 +15,7 @@ struct PictureSize {
 
     [[nodiscard]] double film_x(double x_px) const { return 2.0 * x_px / width - 1.0; }
     [[nodiscard]] double film_y(double y_px) const { return (2.0 * y_px - height) / width; }
+    [[nodiscard]] FilmBounds film_bounds() const { return {film_x(0), film_x(width), film_y(0), film_y(height)}; }
 };
 
 // A square of pixels, the unit of work of a thread.

@@ -81,7 +81,7 @@ std::string shot_inputs_hash(const ShotDocument& shot, const std::string& scene_
     const TracerKind tracer = shot.sampling.tracer;
     text += fmt::format("sampling {} {} {}\n", static_cast<int>(tracer),
                         tracer != TracerKind::Discrete ? shot.sampling.lines : 0,
-                        tracer != TracerKind::Interval ? shot.sampling.samples : 0);
+                        tracer == TracerKind::Discrete || tracer == TracerKind::Hybrid ? shot.sampling.samples : 0);
     text += fmt::format("look {} {} {} {} {} {}\n", look.sun_azimuth.radians(), look.sun_elevation.radians(),
                         look.sun_strength, look.sky_strength, look.visibility_m, look.exposure_stops);
     text += fmt::format("motion {}\n", shot.motion_bound_px);

@@ -7,9 +7,12 @@ ShotTracers::ShotTracers(const ShotDocument& shot, const Stage& stage, const Sho
     const TracerKind kind = shot.sampling.tracer;
     std::optional<SunShadows> shadows;
     if (shot.look.look.sun_elevation.radians() > 0.0) shadows = shot.look.sun_shadows;
-    const auto make = [&](TracerKind one) { return Surfaces(shadows, stage, bodies, one); };
-    if (kind != TracerKind::Discrete) continuous_.emplace(make(TracerKind::Interval), sight);
-    if (kind != TracerKind::Interval) discrete_.emplace(make(TracerKind::Discrete), sight);
+    const auto make = [&](std::optional<Part>& part, TracerKind one) {
+        part.emplace(shadows, stage, bodies, one, sight);
+    };
+    const bool is_hybrid = kind == TracerKind::Hybrid;
+    if (kind != TracerKind::Discrete) make(continuous_, is_hybrid ? TracerKind::Interval : kind);
+    if (kind == TracerKind::Discrete || is_hybrid) make(discrete_, TracerKind::Discrete);
 }
 
 TracerPair ShotTracers::pair() const {

@@ -22,7 +22,9 @@ class ShotTracers {
     struct Part {
         Surfaces surfaces;
         SightTracer tracer;
-        Part(Surfaces made, const Sight& sight) : surfaces(std::move(made)), tracer(surfaces.all(), sight) {}
+        Part(std::optional<SunShadows> shadows, const Stage& stage, const ShotBodies& bodies, TracerKind kind,
+             const Sight& sight)
+            : surfaces(shadows, stage, bodies, kind), tracer(surfaces.all(), sight) {}
     };
 
     std::optional<Part> continuous_, discrete_;

@@ -17,14 +17,17 @@ class Surfaces {
     // Stage and bodies must outlive it. Nothing throws a shadow where there is no sun (no `shadows`), and terrain none
     // on itself where those are in its light already. REQUIRES: kind is not Hybrid, which is a pair of these.
     Surfaces(std::optional<SunShadows> shadows, const Stage& stage, const ShotBodies& bodies, TracerKind kind);
+    Surfaces(const Surfaces&) = delete;
+    Surfaces& operator=(const Surfaces&) = delete;
 
     // Surface 0 is the terrain, k + 1 is body k.
     [[nodiscard]] std::span<const Surface> all() const { return surfaces_; }
 
   private:
-    void add(const RayScene& rays, TracerKind kind);
+    void add(const RayScene& rays, std::optional<TracerKind> kind);
     void let_block(const RayScene& rays, std::size_t surface);
 
+    std::optional<KineticTracer> kinetic_;
     std::deque<Tracer> tracers_;  // surfaces point to them
     std::deque<SunBlocker> blockers_;
     std::vector<Surface> surfaces_;

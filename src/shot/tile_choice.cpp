@@ -19,7 +19,7 @@ constexpr double kSample_ns = 160.0;    // a ray, and its light
 
 }  // namespace
 
-bool lines_are_cheaper(const TracerPair& tracers, TimeRange when, std::span<const ImageSample> lines,
+bool lines_are_cheaper(const TracerPair& tracers, const PreparedSight& prepared, std::span<const ImageSample> lines,
                        std::span<const TimeRange> exposures, TraceCounters& counters) {
     TraceCounters tried;
     std::size_t followed = 0;
@@ -27,7 +27,7 @@ bool lines_are_cheaper(const TracerPair& tracers, TimeRange when, std::span<cons
     for (std::size_t first = 0; first < lines.size(); first += step) {
         const auto run = lines.subspan(first, std::min(kRun, lines.size() - first));
         SurfaceSegmentLists lists;
-        tracers.continuous->trace(when, run, exposures, lists, tried);
+        tracers.continuous->trace(prepared, run, exposures, lists, tried);
         followed += run.size();
     }
     counters += tried;

@@ -18,10 +18,11 @@ struct TracerPair {
 };
 
 // The hybrid of Chapman, Calvert and Dill 1991, section 6, by tile and motion piece: whether following `lines` of a
-// tile through `when` is expected to cost less than `samples` for each of the exposures. A few lines are followed to
-// see. The same for whoever asks, for it goes by what the walks meet and not by the clock.
-// REQUIRES: both tracers are at hand; lines are the tile's own.
-[[nodiscard]] bool lines_are_cheaper(const TracerPair& tracers, TimeRange when, std::span<const ImageSample> lines,
-                                     std::span<const TimeRange> exposures, TraceCounters& counters);
+// tile through a prepared stretch is expected to cost less than `samples` for each of the exposures. A few lines are
+// followed to see. The same for whoever asks, for it goes by what the walks meet and not by the clock. REQUIRES: both
+// tracers are at hand; lines are the tile's own.
+[[nodiscard]] bool lines_are_cheaper(const TracerPair& tracers, const PreparedSight& prepared,
+                                     std::span<const ImageSample> lines, std::span<const TimeRange> exposures,
+                                     TraceCounters& counters);
 
 }  // namespace overfly

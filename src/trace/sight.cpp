@@ -21,6 +21,17 @@ std::vector<TimeRange> exposures_in(TimeRange when, std::span<const TimeRange> e
     return inside;
 }
 
+// Rays that start at the camera.
+void trace_camera(const Surface& surface, const std::optional<KineticPiece>& prepared, const MotionPiece& piece,
+                  std::span<const ImageSample> samples, std::span<const TimeRange> exposures, SegmentLists& lists,
+                  TraceCounters& counters) {
+    if (prepared) {
+        surface.kinetic->trace(*prepared, samples, exposures, lists, counters);
+    } else {
+        trace(*surface.tracer, piece, samples, exposures, lists, counters);
+    }
+}
+
 // Lists of segments by sample while surfaces are put together.
 using Lists = std::vector<std::vector<SurfaceSegment>>;
 
@@ -28,8 +39,9 @@ using Lists = std::vector<std::vector<SurfaceSegment>>;
 class Following {
   public:
     Following(std::span<const Surface> surfaces, std::span<const TriangleMesh* const> meshes,
-              std::span<const TimeRange> exposures, TraceCounters& counters)
+              const PreparedSight& prepared, std::span<const TimeRange> exposures, TraceCounters& counters)
         : surfaces_(surfaces),
+          prepared_(&prepared),
           meshes_(meshes),
           exposures_(exposures),
           counters_(&counters),
@@ -63,8 +75,11 @@ class Following {
                          surfaces_[sight.in_mirror].mirror};
             }
             SegmentLists lists;
-            overfly::trace(*surfaces_[surface].tracer, piece, samples, open, lists, *counters_,
-                           before != nullptr ? &start : nullptr);
+            if (before == nullptr) {
+                trace_camera(surfaces_[surface], prepared_->kinetic[surface], piece, samples, open, lists, *counters_);
+            } else {
+                overfly::trace(*surfaces_[surface].tracer, piece, samples, open, lists, *counters_, &start);
+            }
             for (std::size_t i = 0; i < samples.size(); ++i) {
                 for (const VisibleSegment& v : lists.of(i)) {
                     // That terrain isn't hit at an instant is said, so that every instant is answered.
@@ -138,6 +153,7 @@ class Following {
     }
 
     std::span<const Surface> surfaces_;
+    const PreparedSight* prepared_;
     std::span<const TriangleMesh* const> meshes_;
     std::span<const TimeRange> exposures_;
     TraceCounters* counters_;
@@ -152,12 +168,22 @@ SightTracer::SightTracer(std::span<const Surface> surfaces, const Sight& sight) 
     for (const Surface& s : surfaces) meshes_.push_back(s.mesh);
 }
 
-void SightTracer::trace(TimeRange when, std::span<const ImageSample> samples, std::span<const TimeRange> exposures,
-                        SurfaceSegmentLists& out, TraceCounters& counters) const {
+PreparedSight SightTracer::prepare(TimeRange when, const FilmBounds& picture) const {
+    PreparedSight prepared = {when, {}};
+    prepared.kinetic.resize(surfaces_.size());
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+        if (surfaces_[s].kinetic == nullptr) continue;
+        prepared.kinetic[s] = surfaces_[s].kinetic->prepare(sight_->motions[s].piece_at(when.centre_s()), picture);
+    }
+    return prepared;
+}
+
+void SightTracer::trace(const PreparedSight& prepared, std::span<const ImageSample> samples,
+                        std::span<const TimeRange> exposures, SurfaceSegmentLists& out, TraceCounters& counters) const {
     if (surfaces_.size() == 1 && surfaces_.front().blocker == nullptr)
-        return trace_alone(when, samples, exposures, out, counters);
-    Following following(surfaces_, meshes_, exposures, counters);
-    for (const std::vector<SurfaceSegment>& seen : following.see(*sight_, nullptr, when, samples)) {
+        return trace_alone(prepared, samples, exposures, out, counters);
+    Following following(surfaces_, meshes_, prepared, exposures, counters);
+    for (const std::vector<SurfaceSegment>& seen : following.see(*sight_, nullptr, prepared.when, samples)) {
         out.segments.insert(out.segments.end(), seen.begin(), seen.end());
         out.end_sample();
     }
@@ -165,12 +191,12 @@ void SightTracer::trace(TimeRange when, std::span<const ImageSample> samples, st
 }
 
 // Nothing is nearer or further, so the answer is handed on as it is.
-void SightTracer::trace_alone(TimeRange when, std::span<const ImageSample> samples,
+void SightTracer::trace_alone(const PreparedSight& prepared, std::span<const ImageSample> samples,
                               std::span<const TimeRange> exposures, SurfaceSegmentLists& out,
                               TraceCounters& counters) const {
-    const MotionPiece& piece = sight_->motions.front().piece_at(when.centre_s());
+    const MotionPiece& piece = sight_->motions.front().piece_at(prepared.when.centre_s());
     SegmentLists lists;
-    overfly::trace(*surfaces_.front().tracer, piece, samples, exposures, lists, counters);
+    trace_camera(surfaces_.front(), prepared.kinetic.front(), piece, samples, exposures, lists, counters);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         for (const VisibleSegment& v : lists.of(i)) {
             out.segments.push_back({0, v.triangle, v.when, &piece, sight_});

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "flight/motion.h"
+#include "trace/kinetic.h"
 #include "trace/sun_blocker.h"
 #include "trace/surface_segment.h"
 #include "trace/tracer.h"
@@ -15,8 +17,9 @@ namespace overfly {
 struct Surface {
     const TriangleMesh* mesh = nullptr;
     const Tracer* tracer = nullptr;
-    const SunBlocker* blocker = nullptr;  // that finds its shadows; nullptr: it throws none
-    bool shades_itself = false;           // whether it throws them on itself too
+    const KineticTracer* kinetic = nullptr;  // that the camera's own lines of sight are followed by instead, if any
+    const SunBlocker* blocker = nullptr;     // that finds its shadows; nullptr: it throws none
+    bool shades_itself = false;              // whether it throws them on itself too
     bool is_mirror = false;
     FixedPlane mirror{};  // in which all of it lies, if it is one
 };
@@ -31,6 +34,12 @@ struct Sight {
     [[nodiscard]] const MotionPiece& in_scene_at(double time_s) const { return motions.front().piece_at(time_s); }
 };
 
+// What all samples of the camera share over a stretch of time.
+struct PreparedSight {
+    TimeRange when;
+    std::vector<std::optional<KineticPiece>> kinetic;  // by surface
+};
+
 // Follows samples through a scene of several surfaces: each surface by its own tracer, then whatever is nearer when;
 // when and when not the sun reaches it; and what is seen in a mirror by rays that start there.
 class SightTracer {
@@ -38,14 +47,17 @@ class SightTracer {
     // All must outlive the tracer. The surfaces that it asks are those of the sight's motions.
     SightTracer(std::span<const Surface> surfaces, const Sight& sight);
 
-    // Appends for each sample what it sees during `when`. Outside the exposures segments may be missing or cut short.
+    // For samples within `picture`, during one piece of the terrain's motion.
     // REQUIRES: all motions reach over `when`.
-    void trace(TimeRange when, std::span<const ImageSample> samples, std::span<const TimeRange> exposures,
-               SurfaceSegmentLists& out, TraceCounters& counters) const;
+    [[nodiscard]] PreparedSight prepare(TimeRange when, const FilmBounds& picture) const;
+
+    // Appends for each sample what it sees meanwhile. Outside the exposures segments may be missing or cut short.
+    void trace(const PreparedSight& prepared, std::span<const ImageSample> samples,
+               std::span<const TimeRange> exposures, SurfaceSegmentLists& out, TraceCounters& counters) const;
 
   private:
-    void trace_alone(TimeRange when, std::span<const ImageSample> samples, std::span<const TimeRange> exposures,
-                     SurfaceSegmentLists& out, TraceCounters& counters) const;
+    void trace_alone(const PreparedSight& prepared, std::span<const ImageSample> samples,
+                     std::span<const TimeRange> exposures, SurfaceSegmentLists& out, TraceCounters& counters) const;
 
     std::span<const Surface> surfaces_;
     const Sight* sight_;

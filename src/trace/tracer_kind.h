@@ -6,6 +6,7 @@ namespace overfly {
 enum class TracerKind {
     Discrete,
     Interval,
+    Kinetic,
     Hybrid  // either, tile by tile: whichever is expected to cost less (shot/tile_choice.h)
 };
 

@@ -15,6 +15,9 @@
 
 namespace overfly::testing {
 
+// Where the samples of all tests are.
+inline constexpr FilmBounds kPicture = {-1.0, 1.0, -1.0, 1.0};
+
 // An upright box around the origin of its own frame.
 inline TriangleMesh box(double half_x_m, double half_y_m, double half_z_m) {
     TriangleMesh mesh;
@@ -87,8 +90,8 @@ class MovingScene {
         }
         for (std::size_t s = 0; s < things_.size(); ++s) {
             const SunBlocker* blocker = to_sun == Vector<Scene>{} ? nullptr : &blockers_[s];
-            surfaces_.push_back(
-                {&things_[s].mesh, &tracers_[s], blocker, blocker != nullptr, things_[s].is_mirror, things_[s].plane});
+            surfaces_.push_back({&things_[s].mesh, &tracers_[s], nullptr, blocker, blocker != nullptr,
+                                 things_[s].is_mirror, things_[s].plane});
         }
     }
 

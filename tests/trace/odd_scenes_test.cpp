@@ -30,7 +30,8 @@ SurfaceSegmentLists seen(const MovingScene& scene, const std::function<RayFrame(
     const std::vector<TimeRange> exposures = {{0.0, 1.0}};
     SurfaceSegmentLists lists;
     TraceCounters counters;
-    SightTracer(scene.surfaces(), sight).trace({0.0, 1.0}, samples, exposures, lists, counters);
+    const SightTracer tracer(scene.surfaces(), sight);
+    tracer.trace(tracer.prepare({0.0, 1.0}, testing::kPicture), samples, exposures, lists, counters);
     return lists;
 }
 

@@ -90,7 +90,7 @@ Comparison compare_with_brute_force(int mirrors) {
         const std::vector<TimeRange> exposures = {{-0.1, 1.1}};
         SurfaceSegmentLists lists;
         TraceCounters counters;
-        tracer.trace(when, samples, exposures, lists, counters);
+        tracer.trace(tracer.prepare(when, testing::kPicture), samples, exposures, lists, counters);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             for (int k = 0; k < 5; ++k) {
                 const double t = when.begin_s + time(generator);
@@ -139,7 +139,7 @@ TEST(SightTracer, SeesTheSameByInstants) {
         const std::vector<TimeRange> exposures = {{t, t}};
         SurfaceSegmentLists lists;
         TraceCounters counters;
-        tracer.trace({0.0, 0.5}, samples, exposures, lists, counters);
+        tracer.trace(tracer.prepare({0.0, 0.5}, testing::kPicture), samples, exposures, lists, counters);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             ++pairs;
             different += chain_at(lists, i, t) != brute_force_chain(scene, sight, samples[i], t) ? 1 : 0;
@@ -173,7 +173,7 @@ TEST(SightTracer, AgreesWithBruteForceOnShadows) {
         const std::vector<TimeRange> exposures = {{0.0, 0.5}};
         SurfaceSegmentLists lists;
         TraceCounters counters;
-        tracer.trace({0.0, 0.5}, samples, exposures, lists, counters);
+        tracer.trace(tracer.prepare({0.0, 0.5}, testing::kPicture), samples, exposures, lists, counters);
         int pairs = 0, dark = 0, different = 0;
         for (std::size_t i = 0; i < samples.size(); ++i) {
             for (int k = 0; k < 5; ++k) {

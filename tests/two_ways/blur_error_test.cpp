@@ -29,6 +29,16 @@ TEST_F(BlurError, SixteenLinesAreWithinFourThousandths) {
     EXPECT_LT(error, root_mean_square_error(maker.by_samples(16), reference));
 }
 
+// Following the visible point gives the picture that asking each line anew gives.
+TEST_F(BlurError, KineticLinesAreTheIntervalTracers) {
+    PreparedTerrain blanca = terrain();
+    const FlightDocument document = flight_over(blanca.scene.report, diving_flight());
+    const Stage stage(std::move(blanca), middle_of(document));
+    const Sight sight = sight_of(motion_over(document, stage, {0.01, 160, 90, 1.0 / 6.0}));
+    const FrameMaker maker = {stage, sight, {160, 90}, {1.0, 1.0 + 1.0 / 48.0}};
+    EXPECT_LT(root_mean_square_error(maker.by_kinetic_lines(8), maker.by_lines(8)), 1e-3);
+}
+
 // An instant: no blur, so lines and samples at the same places see the same.
 TEST_F(BlurError, AnInstantIsTheSameForBothTracers) {
     PreparedTerrain blanca = terrain();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "film/film_frame.h"
 #include "shot/expose_piece.h"
@@ -20,7 +21,7 @@ inline ColourRamp banded_ramp() {
     return ramp;
 }
 
-// One frame of a flight, exposed by a tracer with so many samples a pixel; with bodies, if there are any, and the
+// Frames of a flight, exposed by a tracer with so many samples a pixel; with bodies, if there are any, and the
 // shadows that `shot` asks for.
 struct FrameMaker {
     const Stage& stage;
@@ -36,7 +37,10 @@ struct FrameMaker {
 
     inline static const ShotBodies kNobody;
 
-    [[nodiscard]] Frame expose(TracerKind kind, int lines, int samples) const {
+    // Some of a shot's frames in one go.
+    [[nodiscard]] std::vector<Frame> expose_some(TracerKind kind, int lines, int samples,
+                                                 const std::vector<TimeRange>& exposures,
+                                                 const std::vector<TimeRange>& all_exposures) const {
         ShotDocument asked = shot;
         asked.sampling.tracer = kind;
         asked.sampling.lines = lines;
@@ -46,17 +50,31 @@ struct FrameMaker {
         for (const auto& body : bodies)
             shaded.push_back({&body->mesh(), {body->document().albedo, body->document().mirror}});
         const SceneShader shader(stage.mesh(), light, day, false, shaded);
-        FilmFrame film(size.width, size.height);
-        const Exposing exposing = {tracers.pair(), shader, size, {}};
-        const std::vector<PlannedFrame> frames = {{1, exposure.begin_s, exposure, {}}};
-        const std::vector<FilmFrame*> films = {&film};
-        TraceCounters counters;
+        std::vector<PlannedFrame> planned;
+        for (const TimeRange& e : all_exposures) planned.push_back({1, e.begin_s, e, {}});
+        const Exposing exposing = {tracers.pair(), shader, size, {}, planned};
+        std::vector<FilmFrame> all_films(exposures.size(), FilmFrame(size.width, size.height));
         for (const MotionPiece& piece : sight.motions.front().pieces) {
-            if (is_exposed_in(frames[0], piece)) expose_piece(exposing, piece, frames, films, counters);
+            std::vector<PlannedFrame> frames;
+            std::vector<FilmFrame*> films;
+            for (std::size_t k = 0; k < exposures.size(); ++k) {
+                const PlannedFrame frame = {1, exposures[k].begin_s, exposures[k], {}};
+                if (!is_exposed_in(frame, piece)) continue;
+                frames.push_back(frame);
+                films.push_back(&all_films[k]);
+            }
+            TraceCounters counters;
+            if (!frames.empty()) expose_piece(exposing, piece, frames, films, counters);
         }
-        return std::move(film).develop();
+        std::vector<Frame> frames;
+        for (FilmFrame& film : all_films) frames.push_back(std::move(film).develop());
+        return frames;
+    }
+    [[nodiscard]] Frame expose(TracerKind kind, int lines, int samples) const {
+        return expose_some(kind, lines, samples, {exposure}, {exposure}).front();
     }
     [[nodiscard]] Frame by_lines(int lines) const { return expose(TracerKind::Interval, lines, 1); }
+    [[nodiscard]] Frame by_kinetic_lines(int lines) const { return expose(TracerKind::Kinetic, lines, 1); }
     [[nodiscard]] Frame by_samples(int samples) const { return expose(TracerKind::Discrete, 1, samples); }
 };
 

@@ -80,6 +80,13 @@ TEST_F(BodyFrames, SixteenLinesAreWithinFourThousandths) {
     EXPECT_LT(error, root_mean_square_error(make.by_samples(16), reference));
 }
 
+// The kinetic tracer follows the ground, the interval tracer bodies and what is in mirrors.
+TEST_F(BodyFrames, AreTheSameWithTheKineticTracer) {
+    const Sight seen = sight();
+    const FrameMaker make = maker(seen);
+    EXPECT_LT(root_mean_square_error(make.by_kinetic_lines(4), make.by_lines(4)), 1e-3);
+}
+
 // Without them the picture is another, so that the test above has something to see.
 TEST_F(BodyFrames, BodiesMirrorsAndShadowsAreInThePicture) {
     const Sight seen = sight();
