@@ -41,13 +41,13 @@ template <std::size_t N>
 template <std::size_t K, std::size_t First, std::size_t A, std::size_t B, std::size_t... I>
 [[nodiscard]] constexpr double product_coefficient(const std::array<double, A>& a, const std::array<double, B>& b,
                                                    std::index_sequence<I...>) {
-    constexpr std::array<double, sizeof...(I)> weight = {binomial(A - 1, First + I) *
-                                                         binomial(B - 1, K - First - I)...};
-    constexpr double whole = binomial(A + B - 2, K);
+    constexpr std::array<double, sizeof...(I)> kWeight = {binomial(A - 1, First + I) *
+                                                          binomial(B - 1, K - First - I)...};
+    constexpr double kWhole = binomial(A + B - 2, K);
     if constexpr (A == 1 || B == 1) {
         return a[First] * b[K - First];
     } else {
-        return (... + (weight[I] * (a[First + I] * b[K - First - I]))) / whole;
+        return (... + (kWeight[I] * (a[First + I] * b[K - First - I]))) / kWhole;
     }
 }
 

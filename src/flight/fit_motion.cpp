@@ -162,7 +162,8 @@ Motion fit_motion(const View& view, std::span<const double> cuts_s, const Motion
 
 Motion fit_motion(const CameraPath& path, TimeRange when, const Surroundings& surroundings,
                   const MotionOptions& options) {
-    check(when.duration_s() > 0.0 && options.longest_piece_s > 0.0, "a motion and its longest piece last for some time");
+    check(when.duration_s() > 0.0 && options.longest_piece_s > 0.0,
+          "a motion and its longest piece last for some time");
     const View view = {[&](double time_s) { return ray_frame(path.pose_at(time_s)); },
                        [&](double, Point<Scene> origin) { return Reach{surroundings.distance_to_ground_m(origin)}; },
                        {}};

@@ -82,7 +82,7 @@ class Refinement {
     void split_sides(int side) {
         const int h = side / 2;
         const int q = h / 2;
-        parallel_for(static_cast<std::size_t>((height_ - 1) / h + 1), [&](std::size_t k) {
+        parallel_for(static_cast<std::size_t>((height_ - 1) / h) + 1, [&](std::size_t k) {
             const int row = static_cast<int>(k) * h;
             const bool along_row = row % side == 0;
             for (int column = along_row ? h : 0; column < width_; column += side) {
