@@ -34,9 +34,9 @@ struct FlightDocument {
     std::vector<Place> places;        // where each keyframe stands in the document
 };
 
-// How the ground's shadows come about.
+// How the terrain's shadows on itself come about. All others, of bodies and on bodies, are Exact in any case.
 enum class SunShadows {
-    Baked,  // at the corners of the terrain's triangles, once for all times; bodies draw none
+    Baked,  // at the corners of the terrain's triangles, once for all times
     Exact,  // towards the sun from what a pixel sees, at all times of the exposure
 };
 

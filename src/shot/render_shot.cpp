@@ -171,6 +171,7 @@ std::vector<PlannedFrame> frames_to_render(Rendering& rendering, const std::vect
 struct Scenery {
     const Stage& stage;
     const CameraPath& path;
+    const std::vector<PlannedFrame>& planned;  // all of the shot
     const ShotBodies& bodies;
     const Daylight& daylight;
     const Sight& sight;
@@ -185,7 +186,7 @@ void render_frames(Rendering& rendering, const Scenery& scenery, const std::vect
     const SceneShader shader = light.shader(scenery.bodies);
     const ShotTracers tracers(shot, scenery.stage, scenery.bodies, scenery.sight);
     const Exposing exposing = {
-        tracers.pair(), shader, {shot.image.width, shot.image.height}, rendering.options.should_stop};
+        tracers.pair(), shader, {shot.image.width, shot.image.height}, rendering.options.should_stop, scenery.planned};
     FrameLoop(rendering, scenery.stage, scenery.path, scenery.sight.motions.front(), inputs).run(exposing, frames);
 }
 
@@ -225,18 +226,20 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
     result.frames_wanted = static_cast<int>(wanted.size());
     result.folder = shot.output.folder;
     for (const std::string& note : flight_notes(wanted, path, stage.surroundings())) rendering.say(note);
-    make_folder(shot.output.folder);
-    remove_abandoned_files(shot.output.folder);
     const std::string inputs = shot_inputs_hash(shot, stage.terrain().scene.content_hash);
     const std::vector<PlannedFrame> missing = frames_to_render(rendering, wanted, inputs);
+    // Before the folder is made, so that a body that is refused leaves nothing behind.
+    const ShotBodies bodies = missing.empty() ? ShotBodies{} : make_bodies(shot, stage);
+    for (const std::string& note : mesh_notes(bodies)) rendering.say(note);
+    make_folder(shot.output.folder);
+    remove_abandoned_files(shot.output.folder);
     if (!missing.empty()) {
-        const ShotBodies bodies = make_bodies(shot, stage);
         const Daylight daylight(shot.look.look);
         const Sight sight =
             make_sight(shot, path, shot_motion(shot, path, frames, stage), {stage, bodies, daylight.to_sun()});
         result.motion_pieces = sight.motions.front().pieces.size();
         result.motion_error_px = largest_error_px(sight);
-        render_frames(rendering, {stage, path, bodies, daylight, sight}, missing, inputs);
+        render_frames(rendering, {stage, path, frames, bodies, daylight, sight}, missing, inputs);
     }
     const Stopwatch preview_watch;
     result.previews = make_previews(shot, frames, inputs, result.frames_rendered > 0, options.progress);

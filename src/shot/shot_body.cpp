@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -71,6 +72,19 @@ ShotBodies make_bodies(const ShotDocument& shot, const Stage& stage) {
             std::make_unique<ShotBody>(body, std::move(mesh), BodyPath(body.motion, stage.frame(), surroundings)));
     }
     return bodies;
+}
+
+std::vector<std::string> mesh_notes(const ShotBodies& bodies) {
+    std::vector<std::string> notes;
+    for (const auto& body : bodies) {
+        const auto* source = std::get_if<MeshSource>(&body->document().shape);
+        const BodyMesh& mesh = body->body_mesh();
+        if (source == nullptr || mesh.dropped_degenerate + mesh.skipped_other == 0) continue;
+        notes.push_back(
+            fmt::format("note: {}: not drawn: faces without area or that cross themselves: {}, points and lines: {}",
+                        source->file.string(), mesh.dropped_degenerate, mesh.skipped_other));
+    }
+    return notes;
 }
 
 }  // namespace overfly

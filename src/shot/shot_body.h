@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "config/documents.h"
@@ -21,6 +22,7 @@ class ShotBody {
 
     [[nodiscard]] const BodyDocument& document() const { return *document_; }
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_.mesh; }
+    [[nodiscard]] const BodyMesh& body_mesh() const { return mesh_; }
     [[nodiscard]] const BodyPath& path() const { return path_; }
     [[nodiscard]] const RayScene& rays() const { return rays_; }
     [[nodiscard]] bool is_mirror() const { return document_->mirror > 0.0; }
@@ -44,5 +46,8 @@ using ShotBodies = std::vector<std::unique_ptr<const ShotBody>>;
 // Those of a shot, which must outlive them. Throws UserError with everything that is wrong with their motions, or with
 // the first mesh that can't be read or is no mirror though it should be.
 [[nodiscard]] ShotBodies make_bodies(const ShotDocument& shot, const Stage& stage);
+
+// What mesh files hold that is not drawn, a line for each such file.
+[[nodiscard]] std::vector<std::string> mesh_notes(const ShotBodies& bodies);
 
 }  // namespace overfly

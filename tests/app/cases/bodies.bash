@@ -1,4 +1,5 @@
-# Bodies in a shot, as far as documents and files go: what is refused, what is drawn anew when one of them changes.
+# Bodies in a shot, as far as documents and files go: what is refused, what is said, what is drawn anew when one of them
+# changes.
 
 # shot_with_body LINE...: the small shot, and a body called kite with these keys
 shot_with_body() {
@@ -9,6 +10,8 @@ shot_with_body() {
 
 triangle='polygons: [[[0, 0, 0], [40, 0, 0], [0, 40, 10]]]'
 in_sight='place: {lon_deg: -105.5285, lat_deg: 37.6185, height_m: 4630}'
+
+nothing_left_behind() { expect_equal 'folders' "$(find . -mindepth 1 -type d ! -path './cache*')" ''; }
 
 triangle_file() { printf 'v 0 0 0\nv %s 0 0\nv 0 40 10\nf 1 2 3\n' "$1" >kite.obj; }
 
@@ -21,7 +24,7 @@ case_mesh_that_is_broken() {
     printf 'v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n' >kite.obj
     run render shot.yaml
     refused "kite.obj: can't be used as a mesh: 1 of its 3 positions are not finite or farther than 10,000 km from the middle"
-    expect_equal 'frames' "$(find out -name '*.exr' 2>/dev/null)" ''
+    nothing_left_behind
 }
 
 case_mirror_that_is_not_flat() {
@@ -30,6 +33,25 @@ case_mirror_that_is_not_flat() {
     run render shot.yaml
     expect_match stderr "^shot.yaml:8:5: body 'kite': .* [0-9.]+ m off "
     refused "$(head -1 stderr)"
+    nothing_left_behind
+}
+
+case_mesh_that_holds_more_than_faces() {
+    shot_with_body 'mesh: kite.obj' "$in_sight"
+    triangle_file 40
+    printf 'f 1 2 2\nf 1 1 1\nl 1 2\n' >>kite.obj
+    run render shot.yaml --frames 1-2
+    expect_exit 0
+    local note='note: kite.obj: not drawn: faces without area or that cross themselves: 2, points and lines: 1'
+    expect_line stderr "$note"
+    expect_equal 'notes' "$(grep -c '^note' stderr)" 1
+    # Nothing to draw, nothing to say.
+    run render shot.yaml --frames 1-2
+    expect_no_match stderr '^note'
+    triangle_file 40
+    run render shot.yaml --frames 1-2
+    expect_match stderr '^out: 2 of 2 frames rendered'
+    expect_no_match stderr '^note'
 }
 
 case_height_above_ground_that_is_not_there() {
@@ -37,6 +59,7 @@ case_height_above_ground_that_is_not_there() {
     run render shot.yaml
     refused "shot.yaml:8:5: body 'kite': lon 7.000000, lat 46.000000: height is counted from the ground, but there is no\
  terrain; move the body onto the terrain or count from sea level or the ellipsoid"
+    nothing_left_behind
 }
 
 case_frames_are_outdated_when_a_mesh_or_a_flight_changes() {
