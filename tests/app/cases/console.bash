@@ -16,7 +16,7 @@ case_help() {
     expect_exit 0
     local verb
     for verb in import path render batch bench timeline; do expect_match stdout "^  $verb  +[a-z]"; done
-    for verb in import path render batch bench 'bench flight' timeline; do
+    for verb in import path render batch bench 'bench flight' 'bench hybrid' 'bench paper' timeline; do
         # shellcheck disable=SC2086
         run $verb --help
         expect_exit 0
@@ -62,6 +62,7 @@ case_json_alone_on_standard_output() {
     expect_exit 0
     expect_equal 'pairs' "$(json /agreement/pairs)" 1000
     expect_equal 'lines that see something else by inflated boxes' "$(json /volumes/differing_rays)" 0
+    expect_equal 'boxes that last for one piece' "$(json /volumes/swollen/0/pieces)" 1
     local of count
     for of in inflated swept swept_in_parts; do
         for count in bv_tests bv_hits poly_tests poly_hits; do
