@@ -70,9 +70,11 @@ Daylight::Daylight(const Look& look) {
     const float day = 0.15F + 0.85F * static_cast<float>(std::clamp(4.0 * std::sin(elevation) + 0.3, 0.0, 1.0));
     const float sky_unit = unit * static_cast<float>(look.sky_strength) * day;
     zenith_ = sky_unit * kZenith;
-    horizon_ = sky_unit * (kHorizon * mix({1.0F, 1.0F, 1.0F}, (1.0F / sunlight.g) * sunlight, kSunInHaze));
+    air_.horizon = sky_unit * (kHorizon * mix({1.0F, 1.0F, 1.0F}, (1.0F / sunlight.g) * sunlight, kSunInHaze));
     const double per_m = look.visibility_m > 0.0 ? kKoschmieder / look.visibility_m : 0.0;
-    extinction_per_m_ = static_cast<float>(per_m) * kExtinctionByColour;
+    air_.extinction_per_m = static_cast<float>(per_m) * kExtinctionByColour;
+    air_.scale_height_m = kHazeScaleHeight_m;
+    air_.glow = kGlow * kGlowColour;
 
     // Cosine-weighted directions: their mean is the irradiance of level ground over pi.
     constexpr std::uint32_t kDirections = 1024;
@@ -87,9 +89,9 @@ Daylight::Daylight(const Look& look) {
 
 Rgb Daylight::horizon(Vector<Scene> direction) const {
     const auto towards_sun = static_cast<float>(std::max(dot(direction, to_sun_), 0.0));
-    const float squared = towards_sun * towards_sun;
-    const float glow = kGlow * squared * squared * squared * squared;
-    return horizon_ * (Rgb{1.0F, 1.0F, 1.0F} + glow * kGlowColour);
+    const float power2 = towards_sun * towards_sun;
+    const float power4 = power2 * power2;
+    return air_.horizon * (Rgb{1.0F, 1.0F, 1.0F} + power4 * power4 * air_.glow);
 }
 
 Rgb Daylight::background(Vector<Scene> direction, Vector<Scene> up) const {
@@ -100,14 +102,14 @@ Rgb Daylight::background(Vector<Scene> direction, Vector<Scene> up) const {
 Rgb Daylight::through_air(Rgb behind, const AirPath& path, Vector<Scene> direction) const {
     // Mean density along the path of an atmosphere exponential in height: with a the lower and b the higher end in
     // scale heights, (e^-a - e^-b) / (b - a).
-    const float a = static_cast<float>(std::min(path.from_height_m, path.to_height_m)) / kHazeScaleHeight_m;
-    const float b = static_cast<float>(std::max(path.from_height_m, path.to_height_m)) / kHazeScaleHeight_m;
+    const float a = static_cast<float>(std::min(path.from_height_m, path.to_height_m)) / air_.scale_height_m;
+    const float b = static_cast<float>(std::max(path.from_height_m, path.to_height_m)) / air_.scale_height_m;
     const float difference = b - a;
     const Float4 at = fast_exp(Float4{-std::max(a, 0.0F), -difference, 0.0F, 0.0F});
     // Below 0.01 the quotient loses digits, and the first two terms of its series are within 2e-5.
     const float mean = difference > 0.01F ? (1.0F - at[1]) / difference : 1.0F - 0.5F * difference;
     const float amount = at[0] * mean * static_cast<float>(path.distance_m);
-    const Rgb depth = amount * extinction_per_m_;
+    const Rgb depth = amount * air_.extinction_per_m;
     const Float4 left_of = fast_exp(Float4{-depth.r, -depth.g, -depth.b, 0.0F});
     const Rgb left = {left_of[0], left_of[1], left_of[2]};
     return behind * left + horizon(direction) * Rgb{1.0F - left.r, 1.0F - left.g, 1.0F - left.b};

@@ -5,6 +5,7 @@
 #include "core/colour.h"
 #include "core/geometry.h"
 #include "geo/frames.h"
+#include "shade/air_views.h"
 #include "shade/look.h"
 
 namespace overfly {
@@ -33,13 +34,15 @@ class Daylight {
         double from_height_m = 0.0, to_height_m = 0.0;
     };
     [[nodiscard]] Rgb through_air(Rgb behind, const AirPath& path, Vector<Scene> direction) const;
+    // What many such views have in common (look_through).
+    [[nodiscard]] const Air& air() const { return air_; }
 
   private:
     [[nodiscard]] Rgb horizon(Vector<Scene> direction) const;
 
     Vector<Scene> to_sun_;
-    Rgb sun_, sky_, zenith_, horizon_;
-    Rgb extinction_per_m_;  // of air at the scene's lowest ground, by colour
+    Rgb sun_, sky_, zenith_;
+    Air air_;
 };
 
 // Up at a place of the scene: away from the middle of an Earth that is a ball. For skies, not for geodesy.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/low_discrepancy.h"
+
 namespace overfly {
 namespace {
 
@@ -155,6 +157,28 @@ TEST(Ball, DistanceIsThatOfItsSurface) {
     }
     EXPECT_FALSE(distance_to_ball_m(above, {1.0, 0.0, 0.0}, 300.0).has_value());  // the horizon dips by 2 degrees
     EXPECT_FALSE(distance_to_ball_m(above, up, 300.0).has_value());
+}
+
+// Many views at once are what each is by itself, to the bit.
+TEST(Daylight, ManyViewsThroughAirAreTheSameAsEach) {
+    const Daylight day(clear_look());
+    AirViews views;
+    std::array<Rgb, AirViews::kSize> expected{};
+    for (std::size_t i = 0; i < AirViews::kSize; ++i) {
+        const auto p = low_discrepancy_point(1, static_cast<std::uint32_t>(i));
+        const auto q = low_discrepancy_point(2, static_cast<std::uint32_t>(i));
+        const Rgb behind = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+        // Also level paths, for which there is a series, and such as go below the lowest ground.
+        const double from_m = 4000.0 * q[0] - 100.0, to_m = i % 4 == 0 ? from_m + 20.0 * q[1] : 4000.0 * q[1];
+        const Daylight::AirPath path = {1e5 * q[2], from_m, to_m};
+        const Vector<Scene> direction = normalized(Vector<Scene>{p[0] - 0.5, p[1] - 0.5, q[2] - 0.5});
+        expected[i] = day.through_air(behind, path, direction);
+        views.set(i, behind,
+                  {static_cast<float>(path.distance_m), static_cast<float>(from_m), static_cast<float>(to_m),
+                   static_cast<float>(dot(direction, day.to_sun()))});
+    }
+    look_through(day.air(), views, AirViews::kSize);
+    for (std::size_t i = 0; i < AirViews::kSize; ++i) EXPECT_EQ(views.seen(i), expected[i]) << i;
 }
 
 }  // namespace
