@@ -1,9 +1,10 @@
 #include "trace/kinetic.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
-#include <vector>
 
+#include "trace/discrete.h"
 #include "trace/kinetic_walk.h"
 
 namespace overfly {
@@ -14,29 +15,59 @@ std::optional<TimeRange> exposed(const MotionPiece& piece, std::span<const TimeR
     std::optional<TimeRange> all;
     for (const TimeRange& exposure : exposures) {
         const TimeRange open = intersection(exposure, piece.when);
-        if (open.duration_s() < 0.0 || open.begin_s >= piece.when.end_s) continue;
+        if (open.duration_s() <= 0.0) continue;
         if (!all) all = open;
         all = TimeRange{std::min(all->begin_s, open.begin_s), std::max(all->end_s, open.end_s)};
     }
     return all;
 }
 
+bool are_instants(std::span<const TimeRange> exposures) {
+    return std::ranges::all_of(exposures, [](const TimeRange& e) { return e.duration_s() == 0.0; });
+}
+
 }  // namespace
 
 void KineticTracer::trace(const KineticPiece& piece, std::span<const ImageSample> samples,
                           std::span<const TimeRange> exposures, SegmentLists& out, TraceCounters& counters) const {
-    counters.rays += samples.size();
+    if (are_instants(exposures)) return look(piece.motion(), samples, exposures, out, counters);
     const std::optional<TimeRange> when = exposed(piece.motion(), exposures);
-    if (!when || samples.empty()) {
+    if (!when) {
         for (std::size_t i = 0; i < samples.size(); ++i) out.end_sample();
         return;
     }
-    counters.restarts += samples.size();
+    follow({&piece, *when}, samples, {}, out, counters);
+}
+
+void KineticTracer::trace(const KineticPiece& piece, std::span<const ImageSample> samples, std::span<TriangleId> seen,
+                          SegmentLists& out, TraceCounters& counters) const {
+    follow({&piece, piece.motion().when}, samples, seen, out, counters);
+}
+
+// From one instant to the next it is as far as a ray is long: nothing is gained by following.
+void KineticTracer::look(const MotionPiece& piece, std::span<const ImageSample> samples,
+                         std::span<const TimeRange> exposures, SegmentLists& out, TraceCounters& counters) const {
+    SegmentLists all;
+    DiscreteTracer(*scene_).trace(piece, samples, exposures, all, counters);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        std::ranges::copy_if(all.of(i), std::back_inserter(out.segments),
+                             [](const VisibleSegment& s) { return s.triangle != kNone; });
+        out.end_sample();
+    }
+}
+
+void KineticTracer::follow(const Following& what, std::span<const ImageSample> samples, std::span<TriangleId> seen,
+                           SegmentLists& out, TraceCounters& counters) const {
+    if (samples.empty()) return;
+    counters.rays += samples.size();
     const std::size_t before = out.segments.size();
-    const PieceStretch stretch = {&piece.motion(), piece.motion().u_at(when->begin_s), piece.motion().u_at(when->end_s),
-                                  *when};
-    KineticWalk(*scene_, piece, stretch, counters).follow(samples, out);
+    const MotionPiece& motion = what.piece->motion();
+    const PieceStretch stretch = {&motion, motion.u_at(what.when.begin_s), motion.u_at(what.when.end_s), what.when};
+    // Memory that each thread keeps: fresh pages for each call would take longer than the walk.
+    thread_local KineticWalk::Scratch scratch;
+    KineticWalk(*scene_, *what.piece, stretch, scratch, counters).follow(samples, seen, out);
     counters.segments += out.segments.size() - before;
+    if (check_) check_->run(motion, samples, what.when, out, counters);
 }
 
 void KineticTracer::trace(const MotionPiece& piece, std::span<const ImageSample> samples,

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "trace/kinetic_check.h"
 #include "trace/kinetic_piece.h"
+#include "trace/kinetic_start.h"
 #include "trace/ray_scene.h"
 #include "trace/visible_segment.h"
 
@@ -14,8 +17,9 @@ namespace overfly {
 // which pieces were traced before.
 class KineticTracer {
   public:
-    // The scene must outlive the tracer.
-    explicit KineticTracer(const RayScene& scene) : scene_(&scene), mesh_(scene.mesh()) {}
+    // The scene must outlive the tracer. The check, if any, is made of whatever is followed, and counted.
+    explicit KineticTracer(const RayScene& scene, std::optional<TraceCheck> check = std::nullopt)
+        : scene_(&scene), mesh_(scene.mesh()), check_(check) {}
 
     // What all samples of a piece share; made once for each piece. `picture` holds all samples.
     // The tracer and the piece must outlive it.
@@ -23,10 +27,18 @@ class KineticTracer {
         return {mesh_, piece, picture};
     }
 
-    // Appends for each sample what it sees from the first exposure in the piece to the last.
+    // Appends for each sample what it sees from the first exposure in the piece to the last, or at the instants where
+    // nothing but instants is exposed.
     // Sixteen samples that follow each other should lie close together on the film, and all of them in a small part of
     // it.
+    // GUARANTEES: what is told of a time is the same to the bit whichever exposures are asked for after the first.
     void trace(const KineticPiece& piece, std::span<const ImageSample> samples, std::span<const TimeRange> exposures,
+               SegmentLists& out, TraceCounters& counters) const;
+
+    // The same for who traces piece after piece with the same samples, and so need not ask rays at each begin: `seen`
+    // is what each sample sees at the begin of the piece, kNotKnown where that has to be found out, and is made what it
+    // sees at the end. The whole piece is followed.
+    void trace(const KineticPiece& piece, std::span<const ImageSample> samples, std::span<TriangleId> seen,
                SegmentLists& out, TraceCounters& counters) const;
 
     // The same for whoever has few samples: prepares the piece for them alone, which takes as long as the mesh is
@@ -35,8 +47,18 @@ class KineticTracer {
                SegmentLists& out, TraceCounters& counters) const;
 
   private:
+    struct Following {
+        const KineticPiece* piece;
+        TimeRange when;
+    };
+    void look(const MotionPiece& piece, std::span<const ImageSample> samples, std::span<const TimeRange> exposures,
+              SegmentLists& out, TraceCounters& counters) const;
+    void follow(const Following& what, std::span<const ImageSample> samples, std::span<TriangleId> seen,
+                SegmentLists& out, TraceCounters& counters) const;
+
     const RayScene* scene_;
     KineticMesh mesh_;
+    std::optional<TraceCheck> check_;
 };
 
 }  // namespace overfly

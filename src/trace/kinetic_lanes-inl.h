@@ -45,6 +45,7 @@ struct alignas(64) Walkers {
     Lane<std::int32_t> arrives;         // -1: it has come through p-q, and the exact time of that is open
     Lane<std::int32_t> stalled;
     Lane<std::int32_t> moved;  // -1: since it was taken up
+    Lane<std::int32_t> last;   // its last record
     Lane<std::int32_t> who;
 };
 

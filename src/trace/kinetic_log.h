@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "flight/motion.h"
@@ -15,18 +16,26 @@ struct PieceStretch {
     TimeRange when;
 };
 
-// What samples have left when: this triangle (kNone: the sky) at this time. In order for each sample.
-struct StrideLog {
-    std::vector<std::uint32_t> sample, triangle;
+// A record of a StrideLog; kNone: none.
+using RecordId = std::uint32_t;
+
+// What samples have left when: this triangle (kNone: the sky) at this time. Each record leads back to the one before it
+// of the same sample; samples are mixed, and some records are no one's. To forget the last of a sample is to go back.
+class StrideLog {
+  public:
+    std::vector<TriangleId> triangle;
     std::vector<float> until_u;
+    std::vector<RecordId> before;
     std::size_t count = 0;
 
-    void add(std::uint32_t who, TriangleId what, float until);
+    [[nodiscard]] RecordId add(RecordId last, TriangleId what, float until);
     void reserve_more(std::size_t more);
 
-    // Appends each sample's segments: the log has the samples mixed, each with its own in order, from the begin of the
-    // stretch to its end. REQUIRES: as many samples as the log knows.
-    void write(const PieceStretch& stretch, std::size_t samples, SegmentLists& out) const;
+    // Appends one sample's segments: from the begin of the stretch to its end. Returns how many records it has.
+    std::size_t write(const PieceStretch& stretch, RecordId last, SegmentLists& out);
+
+  private:
+    std::vector<RecordId> latest_first_;
 };
 
 }  // namespace overfly

@@ -1,10 +1,14 @@
 #include "trace/kinetic_piece.h"
 #include "trace/silhouette_facing.h"
+#include "trace/silhouette_filter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+
+#include "core/parallel.h"
 
 namespace overfly {
 namespace {
@@ -13,12 +17,19 @@ namespace {
 // an edge moves in a few frames.
 constexpr std::size_t kColumns = 64;
 
+// So few bins are filled without asking whether the edge comes through them.
+constexpr std::size_t kBinsUnasked = 4;
+
+// Edges that are prepared in one go by one thread.
+constexpr std::size_t kEdgesTogether = 512;
+
+constexpr double kDoubt_u = static_cast<double>(kGuessDoubt);
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The range of a * from to a * to.
-std::pair<double, double> product_range(double a, double from, double to) {
-    return a < 0.0 ? std::pair(a * to, a * from) : std::pair(a * from, a * to);
-}
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+float rounded_down(double v) { return std::nextafter(static_cast<float>(v), -kFloatInfinity); }
+float rounded_up(double v) { return std::nextafter(static_cast<float>(v), kFloatInfinity); }
 
 // Where an edge appears while the piece lasts: nothing if it is behind the camera all through, everywhere if it may
 // reach through the camera's plane.
@@ -55,16 +66,6 @@ void set_ends(const LinesOverPiece& lines, const MotionPiece& piece, Vector<Scen
 
 }  // namespace
 
-SideForm::Range SideForm::range(const FilmBounds& part) const {
-    Range all = {kInfinity, -kInfinity};
-    for (std::size_t j = 0; j < 5; ++j) {
-        const auto [low_x, high_x] = product_range(right[j], part.low_x, part.high_x);
-        const auto [low_y, high_y] = product_range(down[j], part.low_y, part.high_y);
-        all = {std::min(all.least, low_x + low_y + view[j]), std::max(all.most, high_x + high_y + view[j])};
-    }
-    return all;
-}
-
 bool Silhouette::may_cross(const FilmBounds& part) const {
     const SideForm::Range side = across.range(part);
     if (side.least >= 0.0 || side.most <= 0.0) return false;
@@ -87,18 +88,32 @@ KineticPiece::KineticPiece(const KineticMesh& mesh, const MotionPiece& piece, co
 
 void KineticPiece::find_silhouettes(const KineticMesh& mesh) {
     const FilmCurves curves(*motion_);
-    for (const HalfEdgeId h : silhouette_edges(*mesh.mesh, mesh.borders, facing_)) {
-        const auto& corner = mesh.mesh->triangles[h / 4];
-        const VertexId from = corner[h % 4];
-        const VertexId to = corner[(h % 4 + 1) % 3];
-        const Vector<Scene> a = mesh.mesh->positions[from] - motion_->reference;
-        const Vector<Scene> b = mesh.mesh->positions[to] - motion_->reference;
-        const std::optional<FilmBounds> film = edge_on_film(curves, a, b);
-        if (!film || !film->overlaps(picture_)) continue;
-        const EdgeFunction edge = edge_function(from, to, a, b);
-        silhouettes_.push_back({h, {lines_, edge}, {}, {}, false, *film});
-        set_ends(lines_, *motion_, a, b, silhouettes_.back());
-    }
+    const std::vector<HalfEdgeId> edges = silhouette_edges(*mesh.mesh, mesh.borders, facing_);
+    std::vector<std::vector<Silhouette>> parts((edges.size() + kEdgesTogether - 1) / kEdgesTogether);
+    parallel_for(parts.size(), [&](std::size_t i) {
+        const std::size_t first = i * kEdgesTogether;
+        for (const HalfEdgeId h : std::span(edges).subspan(first, std::min(kEdgesTogether, edges.size() - first)))
+            add_silhouette(h, curves, parts[i]);
+    });
+    for (const std::vector<Silhouette>& part : parts) silhouettes_.insert(silhouettes_.end(), part.begin(), part.end());
+}
+
+void KineticPiece::add_silhouette(HalfEdgeId half_edge, const FilmCurves& curves, std::vector<Silhouette>& out) const {
+    const auto& corner = mesh().triangles[half_edge / 4];
+    const VertexId from = corner[half_edge % 4];
+    const VertexId to = corner[(half_edge % 4 + 1) % 3];
+    const Vector<Scene> a = mesh().positions[from] - motion_->reference;
+    const Vector<Scene> b = mesh().positions[to] - motion_->reference;
+    const std::optional<FilmBounds> film = edge_on_film(curves, a, b);
+    if (!film || !film->overlaps(picture_)) return;
+    Silhouette& s = out.emplace_back();
+    s.half_edge = half_edge;
+    s.across = {lines_, edge_function(from, to, a, b)};
+    s.film = *film;
+    set_ends(lines_, *motion_, a, b, s);
+    s.rough_across = FloatForm(s.across);
+    s.rough_begin = FloatForm(s.begin);
+    s.rough_end = FloatForm(s.end);
 }
 
 void KineticPiece::fill_bins() {
@@ -109,15 +124,36 @@ void KineticPiece::fill_bins() {
                 ? static_cast<std::size_t>(std::clamp(std::ceil(kColumns * height / width), 1.0, 1.0 * kColumns))
                 : 1;
     bins_.resize(columns_ * rows_);
-    for (std::uint32_t s = 0; s < silhouettes_.size(); ++s) {
-        const BinRange range = bins_of(silhouettes_[s].film);
-        const bool is_everywhere = std::isinf(silhouettes_[s].film.low_x);
-        for (std::size_t row = range.top; row <= range.bottom; ++row) {
-            for (std::size_t column = range.left; column <= range.right; ++column) {
-                if (!is_everywhere || silhouettes_[s].may_cross(bounds_of(column, row)))
-                    bins_[row * columns_ + column].push_back(s);
-            }
+    for (std::uint32_t s = 0; s < silhouettes_.size(); ++s) add_to_bins(s, bins_of(silhouettes_[s].film));
+}
+
+// By halves, so that most of the bins of a large box that the edge does not come through are left out together.
+void KineticPiece::add_to_bins(std::uint32_t silhouette, const BinRange& range) {
+    const Silhouette& s = silhouettes_[silhouette];
+    const std::size_t columns = range.right - range.left + 1;
+    const std::size_t rows = range.bottom - range.top + 1;
+    const FilmBounds first = bounds_of(range.left, range.top);
+    const FilmBounds last = bounds_of(range.right, range.bottom);
+    const bool is_large = columns * rows > kBinsUnasked;
+    if (is_large && !s.may_cross({first.low_x, last.high_x, first.low_y, last.high_y})) return;
+    if (is_large) {
+        BinRange one = range;
+        BinRange other = range;
+        if (columns >= rows) {
+            one.right = range.left + columns / 2 - 1;
+            other.left = one.right + 1;
+        } else {
+            one.bottom = range.top + rows / 2 - 1;
+            other.top = one.bottom + 1;
         }
+        add_to_bins(silhouette, one);
+        return add_to_bins(silhouette, other);
+    }
+    const Binned binned = {rounded_down(s.film.low_x), rounded_up(s.film.high_x), rounded_down(s.film.low_y),
+                           rounded_up(s.film.high_y), silhouette};
+    for (std::size_t row = range.top; row <= range.bottom; ++row) {
+        for (std::size_t column = range.left; column <= range.right; ++column)
+            bins_[row * columns_ + column].push_back(binned);
     }
 }
 
@@ -148,13 +184,48 @@ double KineticPiece::facing_sign(TriangleId triangle, double u) const {
     return value_at<2>(height_over_plane(mesh(), triangle, *motion_), u) < 0.0 ? -1.0 : 1.0;
 }
 
+bool KineticPiece::hides(TriangleId triangle, const Silhouette& silhouette, double u) const {
+    const Vector<Scene> right = motion_->right.at(u);
+    const Vector<Scene> down = motion_->down.at(u);
+    const Vector<Scene> view = motion_->view.at(u);
+    Vector<Scene> ahead = cross(right, down);
+    if (dot(ahead, view) < 0.0) ahead = -ahead;
+    const Point<Scene> eye = motion_->origin_at(u);
+    // In the time by which a guess of a passage is off the camera moves and turns a little.
+    const auto longest = [](const QuadraticVector& q) { return length(q.c1) + 2.0 * length(q.c2); };
+    const double turned = longest(motion_->right) / length(right) + longest(motion_->down) / length(down);
+    const double moved = longest(motion_->origin);
+    const double scale = kDoubt_u * length(ahead);
+    struct Depth {
+        double value, doubt;
+    };
+    const auto depth = [&](VertexId v) {
+        const Vector<Scene> to = mesh().positions[v] - eye;
+        const double reach = std::abs(to.x) + std::abs(to.y) + std::abs(to.z);
+        return Depth{dot(ahead, to), scale * (moved + turned * reach)};
+    };
+    double furthest = -kInfinity;
+    for (const VertexId v : mesh().triangles[triangle]) furthest = std::max(furthest, depth(v).value + depth(v).doubt);
+    const auto& owner = mesh().triangles[silhouette.half_edge / 4];
+    const std::uint32_t side = silhouette.half_edge % 4;
+    const Depth a = depth(owner[side]);
+    const Depth b = depth(owner[(side + 1) % 3]);
+    if (std::max(a.value + a.doubt, b.value + b.doubt) < 0.0) return true;
+    return furthest > 0.0 && std::min(a.value - a.doubt, b.value - b.doubt) > furthest;
+}
+
 std::vector<std::uint32_t> KineticPiece::silhouettes_near(const FilmBounds& part) const {
     std::vector<std::uint32_t> near;
     const BinRange range = bins_of(part);
+    const float low_x = rounded_down(part.low_x);
+    const float high_x = rounded_up(part.high_x);
+    const float low_y = rounded_down(part.low_y);
+    const float high_y = rounded_up(part.high_y);
     for (std::size_t row = range.top; row <= range.bottom; ++row) {
         for (std::size_t column = range.left; column <= range.right; ++column) {
-            for (const std::uint32_t s : bins_[row * columns_ + column]) {
-                if (silhouettes_[s].film.overlaps(part) && silhouettes_[s].may_cross(part)) near.push_back(s);
+            for (const Binned& b : bins_[row * columns_ + column]) {
+                const bool overlaps = b.low_x <= high_x && b.high_x >= low_x && b.low_y <= high_y && b.high_y >= low_y;
+                if (overlaps && silhouettes_[b.silhouette].may_cross(part)) near.push_back(b.silhouette);
             }
         }
     }

@@ -10,29 +10,9 @@
 #include "trace/line.h"
 #include "trace/silhouette.h"
 #include "trace/silhouette_film.h"
+#include "trace/silhouette_form.h"
 
 namespace overfly {
-
-// On which side of a line in the scene the lines of sight are: that of film point (x, y) by x * right + y * down +
-// view.
-struct SideForm {
-    Bernstein<4> right{}, down{}, view{};
-
-    SideForm() = default;
-    SideForm(const LinesOverPiece& lines, const EdgeFunction& edge)
-        : right(lines.right.side_of(edge)), down(lines.down.side_of(edge)), view(lines.view.side_of(edge)) {}
-
-    [[nodiscard]] Bernstein<4> at(double x, double y) const {
-        Bernstein<4> side{};
-        for (std::size_t j = 0; j < 5; ++j) side[j] = x * right[j] + y * down[j] + view[j];
-        return side;
-    }
-    // Bounds over a part of the film and the whole piece.
-    struct Range {
-        double least, most;
-    };
-    [[nodiscard]] Range range(const FilmBounds& part) const;
-};
 
 // An edge that may end what is seen, as lines of sight pass it.
 struct Silhouette {
@@ -41,6 +21,7 @@ struct Silhouette {
     SideForm begin, end;    // of lines across its ends: both >= 0 for a line of sight that passes between them
     bool has_ends = false;  // false where the edge turns so that begin and end tell nothing
     FilmBounds film;        // where the edge appears at any time of the piece
+    FloatForm rough_across, rough_begin, rough_end;
 
     // False only if no line through `part` passes the edge while the piece lasts.
     [[nodiscard]] bool may_cross(const FilmBounds& part) const;
@@ -58,7 +39,7 @@ struct KineticMesh {
 
 // What the kinetic tracer has to know of a motion piece before it follows any sample: from which side each triangle is
 // seen, and where on the film the surface may end, in bins. 16 bytes for each vertex, 9 bits for
-// each triangle, and some 450 bytes for each silhouette edge in the picture.
+// each triangle, and some 650 bytes for each silhouette edge in the picture.
 class KineticPiece {
   public:
     // For samples within `picture`. All must outlive it, but for the bounds.
@@ -74,6 +55,9 @@ class KineticPiece {
     [[nodiscard]] Line line_at(double u, double x, double y) const {
         return {motion_->reference, motion_->origin.at(u), motion_->direction_at(u, x, y)};
     }
+    // Whether all of a triangle is surely nearer to the camera than all of a silhouette, at about a time; or that is
+    // behind the camera.
+    [[nodiscard]] bool hides(TriangleId triangle, const Silhouette& silhouette, double u) const;
     // Whether stride() can follow lines of sight through the picture.
     [[nodiscard]] bool is_ahead() const { return is_ahead_; }
     [[nodiscard]] std::span<const Silhouette> silhouettes() const { return silhouettes_; }
@@ -92,7 +76,9 @@ class KineticPiece {
     [[nodiscard]] BinRange bins_of(const FilmBounds& part) const;
     [[nodiscard]] FilmBounds bounds_of(std::size_t column, std::size_t row) const;
     void find_silhouettes(const KineticMesh& mesh);
+    void add_silhouette(HalfEdgeId half_edge, const FilmCurves& curves, std::vector<Silhouette>& out) const;
     void fill_bins();
+    void add_to_bins(std::uint32_t silhouette, const BinRange& range);
 
     const MotionPiece* motion_;
     FilmBounds picture_;
@@ -103,7 +89,12 @@ class KineticPiece {
     std::vector<double> surface_passages_;
     std::vector<Silhouette> silhouettes_;
     std::size_t columns_ = 0, rows_ = 0;
-    std::vector<std::vector<std::uint32_t>> bins_;  // row by row, silhouettes ascending
+    // What is near at hand of a silhouette, so that most need not be looked at any further.
+    struct Binned {
+        float low_x, high_x, low_y, high_y;  // rounded outwards
+        std::uint32_t silhouette;
+    };
+    std::vector<std::vector<Binned>> bins_;  // row by row, silhouettes ascending
 };
 
 }  // namespace overfly

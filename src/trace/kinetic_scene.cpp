@@ -1,12 +1,17 @@
 #include "trace/kinetic_scene.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/parallel.h"
 
 namespace overfly {
 namespace {
 
 // A line of sight nearer to the plane of the picture's middle camera than this (78 degrees off) is not for floats.
 constexpr double kLeastAhead = 0.2;
+
+constexpr std::size_t kVerticesInTask = std::size_t{1} << 15U;
 
 struct Axes {
     Vector<Scene> x, y, z;
@@ -43,11 +48,13 @@ Across::Across(const TriangleMesh& mesh) {
 StrideScene::StrideScene(const TriangleMesh& terrain, const Across& beyond, const MotionPiece& piece)
     : mesh(&terrain), across(&beyond) {
     const Axes axes = camera_axes(piece);
-    positions.reserve(terrain.positions.size());
-    for (const Point<Scene>& p : terrain.positions) {
-        const auto c = axes.of(p - piece.reference);
-        positions.push_back({static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2]), 0.0F});
-    }
+    positions.resize(terrain.positions.size());
+    parallel_for((positions.size() + kVerticesInTask - 1) / kVerticesInTask, [&](std::size_t i) {
+        for (std::size_t v = i * kVerticesInTask; v < std::min((i + 1) * kVerticesInTask, positions.size()); ++v) {
+            const auto c = axes.of(terrain.positions[v] - piece.reference);
+            positions[v] = {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2]), 0.0F};
+        }
+    });
     origin = in(axes, piece.origin);
     right = in(axes, piece.right);
     down = in(axes, piece.down);

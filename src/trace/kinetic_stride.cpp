@@ -29,14 +29,15 @@ constexpr std::int32_t kMostStalled = 24;
 
 class Walk {
   public:
-    Walk(const StrideScene& scene, std::span<Stride> samples, std::span<const std::uint32_t> who, StrideLog& log)
-        : scene_(&scene),
-          samples_(samples),
-          who_(who),
+    Walk(const StrideTask& task, StrideLog& log)
+        : scene_(&task.scene),
+          samples_(task.samples),
+          who_(task.who),
+          enough_(static_cast<float>(task.enough_u)),
           log_(&log),
-          across_(reinterpret_cast<const std::int32_t*>(scene.across->sides.data())),
-          places_(scene.positions.front().data()),
-          front_(reinterpret_cast<const std::int32_t*>(scene.front.data())) {}
+          across_(reinterpret_cast<const std::int32_t*>(task.scene.across->sides.data())),
+          places_(task.scene.positions.front().data()),
+          front_(reinterpret_cast<const std::int32_t*>(task.scene.front.data())) {}
 
     void run() {
         std::uint32_t active = 0;
@@ -52,7 +53,7 @@ class Walk {
             for (std::size_t first = 0; first < kLanes; first += lanes) {
                 if ((active >> first & chunk) == 0) continue;
                 log_->reserve_more(lanes);
-                const Stops stops = step(first, active);
+                const Stops stops = step(first);
                 for (std::uint32_t rest = (stops.at_limit | stops.in_doubt) & active; rest != 0; rest &= rest - 1) {
                     const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
                     put_down(lane, (stops.in_doubt >> lane & 1U) != 0);
@@ -78,6 +79,7 @@ class Walk {
         w_.triangle[lane] = w_.seen[lane] = static_cast<std::int32_t>(s.triangle);
         w_.side[lane] = w_.arrives[lane] = w_.stalled[lane] = w_.moved[lane] = 0;
         w_.who[lane] = static_cast<std::int32_t>(who);
+        w_.last[lane] = static_cast<std::int32_t>(s.last);
         const auto& corner = scene_->mesh->triangles[s.triangle];
         const auto x = static_cast<float>(s.x);
         const auto y = static_cast<float>(s.y);
@@ -94,9 +96,11 @@ class Walk {
 
     void put_down(std::size_t lane, bool doubt) {
         Stride& s = samples_[static_cast<std::size_t>(w_.who[lane])];
+        s.stop_u = static_cast<double>(w_.u[lane]);
         s.stop = doubt ? Stride::Stop::Doubt : Stride::Stop::Limit;
         s.triangle = static_cast<TriangleId>(w_.seen[lane]);
         s.has_moved = w_.moved[lane] != 0;
+        s.last = static_cast<RecordId>(w_.last[lane]);
         if (s.has_moved) s.u = static_cast<double>(w_.since[lane]);
     }
 
@@ -160,7 +164,7 @@ class Walk {
         return look;
     }
 
-    HWY_INLINE Stops step(std::size_t first, std::uint32_t active) {
+    HWY_INLINE Stops step(std::size_t first) {
         const Floats d;
         const V zero = hn::Zero(d);
         const V u = load(w_.u, first);
@@ -198,7 +202,7 @@ class Walk {
         M in_doubt = hn::Or(stuck, hn::And(hn::Not(again), hn::Not(settled)));
 
         const M enters = hn::AndNot(in_doubt, hn::And(arrives, settled));
-        log_entries(enters, at, first, active);
+        log_entries(enters, at, first);
         const V now_since = hn::IfThenElse(enters, at, since);
         store(now_since, w_.since, first);
 
@@ -216,25 +220,21 @@ class Walk {
         return count;
     }
 
-    HWY_INLINE void log_entries(M enters, V at, std::size_t first, std::uint32_t active) {
+    // A record for every lane, but only those that enter know of theirs.
+    HWY_INLINE void log_entries(M enters, V at, std::size_t first) {
+        const Floats d;
         const Ints di;
         const I seen = load(w_.seen, first);
-        const I triangle = load(w_.triangle, first);
-        const M counts = hn::And(enters, active_lanes(first, active));
-        const auto counts_i = hn::RebindMask(di, counts);
-        hn::CompressStore(load(w_.who, first), counts_i, di,
-                          reinterpret_cast<std::int32_t*>(&log_->sample[log_->count]));
-        hn::CompressStore(seen, counts_i, di, reinterpret_cast<std::int32_t*>(&log_->triangle[log_->count]));
-        log_->count += hn::CompressStore(at, counts, Floats(), &log_->until_u[log_->count]);
+        const I last = load(w_.last, first);
+        hn::StoreU(seen, di, reinterpret_cast<std::int32_t*>(&log_->triangle[log_->count]));
+        hn::StoreU(last, di, reinterpret_cast<std::int32_t*>(&log_->before[log_->count]));
+        hn::StoreU(at, d, &log_->until_u[log_->count]);
         const auto enters_i = hn::RebindMask(di, enters);
-        store(hn::IfThenElse(enters_i, triangle, seen), w_.seen, first);
+        const I record = hn::Iota(di, static_cast<std::int32_t>(log_->count));
+        log_->count += hn::Lanes(d);
+        store(hn::IfThenElse(enters_i, record, last), w_.last, first);
+        store(hn::IfThenElse(enters_i, load(w_.triangle, first), seen), w_.seen, first);
         store(hn::Or(load(w_.moved, first), as_ints(enters)), w_.moved, first);
-    }
-
-    HWY_INLINE M active_lanes(std::size_t first, std::uint32_t active) const {
-        const std::uint32_t bits = active >> first;
-        const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U)};
-        return hn::LoadMaskBits(Floats(), bytes);
     }
 
     // What lanes come to that do not walk on: their limit, or a neighbour that asks for more care.
@@ -274,8 +274,10 @@ class Walk {
         const V wish = hn::Min(h, hn::Sub(limit, u));
         const V step = told(wish, reach);
         const V at = hn::Max(hn::Add(u, step), load(w_.since, first));
-        const M pauses = hn::And(walks, hn::Lt(step, wish));
-        const M to_limit = hn::AndNot(pauses, hn::And(walks, hn::Ge(hn::Max(hn::Add(u, h), at), limit)));
+        const M pauses_at = hn::And(walks, hn::Lt(step, wish));
+        const M comes_to_limit = hn::AndNot(pauses_at, hn::And(walks, hn::Ge(hn::Max(hn::Add(u, h), at), limit)));
+        const M to_limit = hn::Or(comes_to_limit, hn::And(walks, hn::Ge(at, hn::Set(d, enough_))));
+        const M pauses = hn::AndNot(to_limit, pauses_at);
         const M crosses = hn::AndNot(hn::Or(to_limit, pauses), walks);
 
         const I triangle = load(w_.triangle, first);
@@ -305,7 +307,7 @@ class Walk {
         store(hn::IfThenElse(goes_i, next_side, load(w_.side, first)), w_.side, first);
         const I kept = hn::AndNot(as_ints(walks), load(w_.arrives, first));
         store(hn::Or(kept, as_ints(goes)), w_.arrives, first);
-        store(hn::IfThenElse(hn::Or(goes, pauses), at, u), w_.u, first);
+        store(hn::IfThenElse(hn::Or(crosses, pauses), at, u), w_.u, first);
         return {to_limit, cares};
     }
 
@@ -325,6 +327,7 @@ class Walk {
     const StrideScene* scene_;
     std::span<Stride> samples_;
     std::span<const std::uint32_t> who_;
+    float enough_;
     StrideLog* log_;
     const std::int32_t* across_;
     const float* places_;
@@ -335,10 +338,7 @@ class Walk {
 
 }  // namespace kinetic_stride
 
-void walk_strides(const StrideScene& scene, std::span<Stride> samples, std::span<const std::uint32_t> who,
-                  StrideLog& log) {
-    kinetic_stride::Walk(scene, samples, who, log).run();
-}
+void walk_strides(const StrideTask& task, StrideLog& log) { kinetic_stride::Walk(task, log).run(); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace overfly
@@ -348,9 +348,9 @@ HWY_AFTER_NAMESPACE();
 namespace overfly {
 HWY_EXPORT(walk_strides);
 
-void stride(const StrideScene& scene, std::span<Stride> samples, std::span<const std::uint32_t> who, StrideLog& log) {
-    if (who.empty()) return;
-    HWY_DYNAMIC_DISPATCH(walk_strides)(scene, samples, who, log);
+void stride(const StrideTask& task, StrideLog& log) {
+    if (task.who.empty()) return;
+    HWY_DYNAMIC_DISPATCH(walk_strides)(task, log);
 }
 }  // namespace overfly
 #endif

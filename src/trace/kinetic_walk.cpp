@@ -28,16 +28,21 @@ constexpr double kAboutNow = 1e-3;
 // Nearer than what is seen, relative to its depth: more than rounding.
 constexpr double kNearer = 1.0 - 1e-9;
 
+// A stride that comes to a silhouette is at it within this, in u.
+constexpr double kAboutStop = 1e-5;
+
 // Where a stride gave up, careful steps go on for at least as long, in u: longer than a stride's times are off.
 constexpr double kStep = 1e-6;
 
 // More triangles than this meet at no vertex that a walk could circle.
 constexpr int kMostStalled = 64;
 
+bool is_after(const SilhouettePassage& passage, double u) { return passage.u - passage.doubt_u > u; }
+
 }  // namespace
 
-void KineticWalk::follow(std::span<const ImageSample> samples, SegmentLists& out) {
-    begin(samples);
+void KineticWalk::follow(std::span<const ImageSample> samples, std::span<TriangleId> seen, SegmentLists& out) {
+    begin(samples, seen);
     std::vector<std::uint32_t> walking;
     std::vector<std::uint32_t> still;
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
@@ -45,38 +50,51 @@ void KineticWalk::follow(std::span<const ImageSample> samples, SegmentLists& out
         if (strides_[i].u < stretch_.to_u) walking.push_back(i);
     }
     while (!walking.empty()) {
-        for (const std::uint32_t i : walking) strides_[i].limit_u = next_stop(i);
-        const std::size_t before = log_.count;
-        stride(piece_->stride_scene(), strides_, walking, log_);
-        counters_->crossings += log_.count - before;
+        stride_on(walking);
         still.clear();
         for (const std::uint32_t i : walking) {
             // Most are through.
-            if (is_through(i)) continue;
+            const bool has_passages = cares_[i].next_passage < cares_[i].end_passage;
+            if (is_through(i) && !has_passages) continue;
             settle(i);
-            if (strides_[i].u < stretch_.to_u) still.push_back(i);
+            if (!is_through(i) && strides_[i].u < stretch_.to_u) still.push_back(i);
         }
         std::swap(walking, still);
     }
+    std::uint64_t changes = 0;
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
         hold(i);
         emit(stretch_.to_u);
+        changes += log_.write(stretch_, strides_[i].last, out) - 1;
+        if (!seen.empty()) seen[i] = strides_[i].triangle;
     }
-    log_.write(stretch_, samples.size(), out);
+    counters_->crossings += changes - std::min(changes, jumps_);
 }
 
-void KineticWalk::begin(std::span<const ImageSample> samples) {
+void KineticWalk::begin(std::span<const ImageSample> samples, std::span<TriangleId> seen) {
+    samples_ = samples;
     strides_.resize(samples.size());
     cares_.assign(samples.size(), {});
     log_.count = 0;
     line_of_ = kNone;
-    std::vector<TriangleId> seen(samples.size());
-    look_roughly(*scene_, piece_->motion(), stretch_.from_u, samples, seen);
+    find_starts(samples, seen);
+    find_passages(samples);
+}
+
+// By rays for all, or for those of which it is not known.
+void KineticWalk::find_starts(std::span<const ImageSample> samples, std::span<TriangleId> seen) {
+    std::vector<TriangleId> found(seen.begin(), seen.end());
+    found.resize(samples.size(), kNotKnown);
+    counters_->restarts += static_cast<std::uint64_t>(std::ranges::count(found, kNotKnown));
+    look_roughly(*scene_, piece_->motion(), stretch_.from_u, samples, found);
     for (std::size_t i = 0; i < samples.size(); ++i)
-        strides_[i] = {samples[i].x, samples[i].y, seen[i], stretch_.from_u, stretch_.to_u, {}, false};
+        strides_[i] = {samples[i].x, samples[i].y, found[i], stretch_.from_u};
+}
+
+void KineticWalk::find_passages(std::span<const ImageSample> samples) {
     SilhouettePassages found = silhouette_passages(*piece_, stretch_, samples);
     passages_ = std::move(found.in_order);
-    for (const std::uint32_t i : found.begins_at_edge) strides_[i].triangle = kNone;  // not for long
+    for (const std::uint32_t i : found.begins_at_edge) strides_[i].triangle = kNotKnown;  // not for long
     std::uint32_t at = 0;
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
         cares_[i].first_passage = cares_[i].next_passage = at;
@@ -89,62 +107,150 @@ void KineticWalk::begin(std::span<const ImageSample> samples) {
 void KineticWalk::begin_carefully(std::uint32_t sample) {
     hold(sample);
     Stride& s = strides_[sample];
-    s.triangle = look(*scene_, line_at(s.u));
+    const bool is_certain =
+        s.triangle == kNone || (s.triangle != kNotKnown && edge_values(*mesh_, s.triangle, line_at(s.u)).inside());
+    if (!is_certain) s.triangle = look(*scene_, line_at(s.u));
     while (s.u < stretch_.to_u && !is_plain(sample)) take_event();
 }
 
-// When a sample that walks has to be looked at next.
-double KineticWalk::next_stop(std::uint32_t sample) const {
-    double stop = stretch_.to_u;
-    for (std::uint32_t k = cares_[sample].next_passage; k < cares_[sample].end_passage; ++k) {
-        if (passages_[k].u <= strides_[sample].u) continue;
-        stop = passages_[k].u;
-        break;
+void KineticWalk::stride_on(std::span<const std::uint32_t> walking) {
+    for (const std::uint32_t i : walking) {
+        strides_[i].limit_u = next_stop(strides_[i].u);
+        cares_[i].before_stride = strides_[i].last;
+        cares_[i].stride_u = strides_[i].u;
     }
-    const auto surface = std::ranges::upper_bound(piece_->surface_passages(), strides_[sample].u);
-    return surface != piece_->surface_passages().end() ? std::min(stop, *surface) : stop;
+    stride({piece_->stride_scene(), strides_, walking, stretch_.to_u}, log_);
+}
+
+// When a sample that walks has to be looked at next.
+double KineticWalk::next_stop(double u) const {
+    const auto surface = std::ranges::upper_bound(piece_->surface_passages(), u);
+    return surface != piece_->surface_passages().end() ? *surface : 1.0;
 }
 
 bool KineticWalk::is_through(std::uint32_t sample) const {
     const Stride& s = strides_[sample];
-    const bool any_passages = cares_[sample].next_passage < cares_[sample].end_passage;
-    return s.stop == Stride::Stop::Limit && s.limit_u >= stretch_.to_u && !any_passages;
+    return s.stop == Stride::Stop::Limit && s.limit_u >= stretch_.to_u;
 }
 
 // Whether stride() can take the sample further.
 bool KineticWalk::is_plain(std::uint32_t sample) const {
     const TriangleId triangle = strides_[sample].triangle;
-    return piece_->is_ahead() && triangle != kNone && piece_->facing(triangle) == Facing::Front;
+    return piece_->is_ahead() && triangle < kNotKnown && piece_->facing(triangle) == Facing::Front;
 }
 
 // Takes care of why a sample does not walk, until it can or is at the end.
 void KineticWalk::settle(std::uint32_t sample) {
     hold(sample);
     Stride& s = strides_[sample];
-    if (s.stop == Stride::Stop::Doubt) {
+    if (is_disturbed(sample) || leaves_silhouette(s)) {
+        s.stop = Stride::Stop::Doubt;  // not where stride() left it
+    } else if (is_through(sample)) {
+        return;
+    } else if (s.stop == Stride::Stop::Doubt) {
         settle_doubt(s);
-    } else if (!handle_passages(s.limit_u)) {
+    } else {
         s.u = s.limit_u;
-        if (std::ranges::binary_search(piece_->surface_passages(), s.u)) look_again(s.u);
+        look_again(s.u);
     }
     while (s.u < stretch_.to_u && !is_plain(sample)) take_event();
 }
 
+// Whether a passage changes what stride() has walked. Then the sample has gone back to it.
+bool KineticWalk::is_disturbed(std::uint32_t sample) {
+    Care& care = cares_[sample];
+    Stride& s = strides_[sample];
+    const double until = s.stop == Stride::Stop::Doubt ? s.stop_u : std::min(s.limit_u, stretch_.to_u);
+    if (care.next_passage == care.end_passage || is_after(passages_[care.next_passage], until)) return false;
+    retrace(sample);
+    const Stride walked = s;
+    while (care.next_passage < care.end_passage) {
+        const std::uint32_t next = care.next_passage;
+        if (is_after(passages_[next], until)) break;
+        while (way_.size() > 1 && way_.back().until_u < passages_[next].u - passages_[next].doubt_u) way_.pop_back();
+        if (!is_hidden(passages_[next])) {
+            const SilhouettePassage& passage = resolved(next);
+            if (passage.u > until) break;
+            while (way_.size() > 1 && way_.back().until_u < passage.u) way_.pop_back();
+            s.triangle = way_.back().triangle;
+            s.u = way_.back().since_u;
+            s.last = way_.back().before;
+            ++care.next_passage;
+            if (passage.state != SilhouettePassage::State::None && passage.u > s.u && handle_passage(passage))
+                return true;
+            s = walked;
+        } else {
+            ++care.next_passage;
+        }
+    }
+    return false;
+}
+
+// Whether stride() stopped because the surface ends at a silhouette that is known. Then the sample has left it.
+bool KineticWalk::leaves_silhouette(const Stride& s) {
+    Care& care = cares_[held_];
+    if (s.stop != Stride::Stop::Doubt || care.next_passage == care.end_passage) return false;
+    if (is_after(passages_[care.next_passage], s.stop_u + kAboutStop)) return false;
+    const SilhouettePassage& passage = resolved(care.next_passage);
+    const bool is_at_it = std::abs(passage.u - s.stop_u) < kAboutStop && passage.u > s.u;
+    if (passage.state == SilhouettePassage::State::None || passage.comes || !is_at_it) return false;
+    if (nearer_beside(passage.half_edge, passage.u) != s.triangle) return false;
+    ++care.next_passage;
+    return handle_passage(passage);
+}
+
+// What stride() has walked with the sample, latest first.
+void KineticWalk::retrace(std::uint32_t sample) {
+    const Stride& s = strides_[sample];
+    const Care& care = cares_[sample];
+    const bool doubts = s.stop == Stride::Stop::Doubt;
+    way_.clear();
+    Way way = {s.triangle, s.u, doubts ? s.stop_u : std::min(s.limit_u, stretch_.to_u), s.last};
+    while (way.before != care.before_stride) {
+        const RecordId record = way.before;
+        way.since_u = static_cast<double>(log_.until_u[record]);
+        way_.push_back(way);
+        way = {log_.triangle[record], 0.0, way.since_u, log_.before[record]};
+    }
+    way.since_u = care.stride_u;
+    way_.push_back(way);
+}
+
+// Whether the edge is surely behind all that is seen at about the passage. The way is at the begin of that.
+bool KineticWalk::is_hidden(const SilhouettePassage& passage) const {
+    const double until = passage.u + passage.doubt_u;
+    if (until > way_.front().until_u) return false;
+    const Silhouette& silhouette = piece_->silhouettes()[passage.silhouette];
+    for (auto way = way_.rbegin(); way != way_.rend() && way->since_u <= until; ++way) {
+        if (!piece_->hides(way->triangle, silhouette, passage.u)) return false;
+    }
+    return true;
+}
+
+const SilhouettePassage& KineticWalk::resolved(std::uint32_t passage) {
+    resolve(*piece_, samples_[passages_[passage].sample], passages_[passage]);
+    return passages_[passage];
+}
+
+// Careful steps from shortly before it stopped: what it has walked before that stays as it is.
 void KineticWalk::settle_doubt(Stride& s) {
-    if (s.u == stretch_.from_u) {
+    const double at = std::max(s.has_moved ? s.u + kStep : s.u, s.stop_u - kStep);
+    const double until = s.stop_u + kStep;
+    if (at == stretch_.from_u) {
         // Where it began was known roughly.
-        s.triangle = look(*scene_, line_at(s.u));
-    } else if (s.has_moved && !edge_values(*mesh_, s.triangle, line_at(s.u + kStep)).inside()) {
+        s.triangle = look(*scene_, line_at(at));
+    } else if (!edge_values(*mesh_, s.triangle, line_at(at)).inside()) {
         // The stride went astray, or leaves right away.
         ++counters_->restarts;
-        return look_again(s.u);
+        return look_again(at);
     }
-    step_past(s.u + kStep);
+    s.u = at;
+    step_past(until);
 }
 
 // Careful steps until a time.
 void KineticWalk::step_past(double u) {
-    while (strides_[held_].u < std::min(u, stretch_.to_u)) take_event();
+    while (strides_[held_].u < std::min(u, 1.0)) take_event();
 }
 
 // The careful steps are about this sample from now on.
@@ -170,7 +276,7 @@ void KineticWalk::take_event() {
     if (event.reason == Reason::Side) {
         cross(event.side, event.u);
     } else if (event.reason == Reason::End) {
-        strides_[held_].u = stretch_.to_u;
+        strides_[held_].u = 1.0;
     } else {
         look_again(event.u);
     }
@@ -178,7 +284,7 @@ void KineticWalk::take_event() {
 
 KineticWalk::Event KineticWalk::next_event() {
     const Stride& s = strides_[held_];
-    Event event = {stretch_.to_u, Reason::End, 0};
+    Event event = {1.0, Reason::End, 0};
     const auto passages = piece_->surface_passages();
     const auto passage = std::ranges::upper_bound(passages, s.u);
     if (passage != passages.end() && *passage < event.u) event = {*passage, Reason::Passage, 0};
@@ -208,9 +314,12 @@ KineticWalk::Event KineticWalk::next_event() {
 // Whether one of the passages until then changes what is seen.
 bool KineticWalk::handle_passages(double until) {
     Care& care = cares_[held_];
-    while (care.next_passage < care.end_passage && passages_[care.next_passage].u <= until) {
-        const SilhouettePassage& passage = passages_[care.next_passage++];
-        if (passage.u > strides_[held_].u && handle_passage(passage)) return true;
+    while (care.next_passage < care.end_passage && !is_after(passages_[care.next_passage], until)) {
+        const SilhouettePassage& passage = resolved(care.next_passage);
+        if (passage.u > until) break;
+        ++care.next_passage;
+        if (passage.state == SilhouettePassage::State::None || passage.u <= strides_[held_].u) continue;
+        if (handle_passage(passage)) return true;
     }
     return false;
 }
@@ -229,6 +338,7 @@ bool KineticWalk::handle_passage(const SilhouettePassage& passage) {
         if (!is_inside_but(half_edge, passage.u)) return false;
         if (passage.comes) {
             ++counters_->occlusions;
+            ++jumps_;
             emit(passage.u);
             enter(beside, passage.u);
             return true;
@@ -245,7 +355,6 @@ void KineticWalk::cross(unsigned side, double u) {
     const HalfEdgeId twin = mesh_->twins[triangle][side];
     const bool goes_round = u == strides_[held_].u && cares_[held_].stalled >= kMostStalled;
     if (!goes_round && twin != kNone && piece_->facing_sign(twin / 4, u) == piece_->facing_sign(triangle, u)) {
-        ++counters_->crossings;
         emit(u);
         enter(twin / 4, u);
         return;
@@ -266,11 +375,12 @@ void KineticWalk::leave_surface(HalfEdgeId half_edge, double u) {
 // Asks a discrete ray what is seen just after a time, from a depth on; but first the triangles around `near`.
 void KineticWalk::look_again(double u, double least, TriangleId near) {
     emit(u);
+    ++jumps_;
     Care& care = cares_[held_];
     const bool again = care.last_jump > 0.0 && u <= care.last_look + 2.0 * care.last_jump;
     care.last_jump = again ? std::min(care.last_jump * kJumpGrowth, kLongestJump) : kJump;
     care.last_look = u;
-    const double later = std::min(u + care.last_jump, stretch_.to_u);
+    const double later = std::min(u + care.last_jump, 1.0);
     const Line line = line_at(later);
     TriangleId next = near != kNone ? look_around(*mesh_, line, near) : kNone;
     if (next == kNone) next = look(*scene_, line, least);
@@ -279,11 +389,13 @@ void KineticWalk::look_again(double u, double least, TriangleId near) {
 
 // What is seen at a time when a ray in float finds `seen`: where a silhouette is passed at about that time, the ray may
 // have missed what is beside it.
-TriangleId KineticWalk::nearest_at_edges(TriangleId seen, double u) const {
+TriangleId KineticWalk::nearest_at_edges(TriangleId seen, double u) {
     const Line line = line_at(u);
     const Care& care = cares_[held_];
     for (std::uint32_t k = care.first_passage; k < care.end_passage; ++k) {
-        const SilhouettePassage& passage = passages_[k];
+        if (std::abs(passages_[k].u - u) > kAboutNow + passages_[k].doubt_u) continue;
+        const SilhouettePassage& passage = resolved(k);
+        if (passage.state == SilhouettePassage::State::None) continue;
         const bool is_over = passage.comes ? passage.u <= u : passage.u > u;
         if (!is_over || std::abs(passage.u - u) > kAboutNow) continue;
         const TriangleId beside = nearer_beside(passage.half_edge, u);
@@ -295,7 +407,10 @@ TriangleId KineticWalk::nearest_at_edges(TriangleId seen, double u) const {
 }
 
 // Notes that what has been seen was seen until then.
-void KineticWalk::emit(double until) { log_.add(held_, strides_[held_].triangle, static_cast<float>(until)); }
+void KineticWalk::emit(double until) {
+    Stride& s = strides_[held_];
+    s.last = log_.add(s.last, s.triangle, static_cast<float>(until));
+}
 
 EdgeSide KineticWalk::side_of(HalfEdgeId half_edge) {
     const auto& corner = mesh_->triangles[half_edge / 4];

@@ -47,6 +47,9 @@ class SightTracer {
     // All must outlive the tracer. The surfaces that it asks are those of the sight's motions.
     SightTracer(std::span<const Surface> surfaces, const Sight& sight);
 
+    [[nodiscard]] std::span<const Surface> surfaces() const { return surfaces_; }
+    [[nodiscard]] const Sight& sight() const { return *sight_; }
+
     // For samples within `picture`, during one piece of the terrain's motion.
     // REQUIRES: all motions reach over `when`.
     [[nodiscard]] PreparedSight prepare(TimeRange when, const FilmBounds& picture) const;

@@ -4,6 +4,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
+
+#include "core/parallel.h"
 #include "trace/silhouette_facing.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -52,16 +55,18 @@ HWY_INLINE Vec3 broadcast(const std::array<float, 3>& a) {
     return {hn::Set(d, a[0]), hn::Set(d, a[1]), hn::Set(d, a[2])};
 }
 
-void classify(const FacingTask& task, std::span<Facing> facing, std::size_t& done) {
+// From a triangle on; returns for how many, whole vectors of them.
+std::size_t classify(const FacingTask& task, TriangleId from_triangle, std::span<Facing> facing) {
     const Floats d;
     const Ints di;
     const std::size_t lanes = hn::Lanes(d);
-    const auto* corners = reinterpret_cast<const std::int32_t*>(task.mesh->triangles.data());
+    const auto* corners = reinterpret_cast<const std::int32_t*>(task.mesh->triangles.data() + from_triangle);
     const float* places = task.places.front().data();
     const Vec3 c0 = broadcast(task.origin[0]);
     const Vec3 c1 = broadcast(task.origin[1]);
     const Vec3 c2 = broadcast(task.origin[2]);
     const V most_motion = hn::Add(extent(c1), extent(c2));
+    std::size_t done = 0;
     for (; done + lanes <= facing.size(); done += lanes) {
         I ia;
         I ib;
@@ -89,12 +94,13 @@ void classify(const FacingTask& task, std::span<Facing> facing, std::size_t& don
         const hn::Rebind<std::uint8_t, Ints> d8;
         hn::StoreU(hn::DemoteTo(d8, code), d8, reinterpret_cast<std::uint8_t*>(&facing[done]));
     }
+    return done;
 }
 
 }  // namespace silhouette_facing
 
-void classify_facing(const FacingTask& task, std::span<Facing> facing, std::size_t& done) {
-    silhouette_facing::classify(task, facing, done);
+std::size_t classify_facing(const FacingTask& task, TriangleId first, std::span<Facing> facing) {
+    return silhouette_facing::classify(task, first, facing);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -105,14 +111,23 @@ HWY_AFTER_NAMESPACE();
 namespace overfly {
 HWY_EXPORT(classify_facing);
 
+namespace {
+constexpr std::size_t kTrianglesInTask = std::size_t{1} << 15U;
+}
+
 std::vector<Facing> facing_over(const FacingTask& task, const MotionPiece& piece) {
     std::vector<Facing> facing(task.mesh->triangles.size(), Facing::Changes);
-    std::size_t done = 0;
-    if (!facing.empty()) HWY_DYNAMIC_DISPATCH(classify_facing)(task, facing, done);
-    // What floats leave open, and the last few, are decided in double.
-    for (TriangleId t = 0; t < facing.size(); ++t) {
-        if (facing[t] == Facing::Changes) facing[t] = facing_over(*task.mesh, t, piece);
-    }
+    parallel_for((facing.size() + kTrianglesInTask - 1) / kTrianglesInTask, [&](std::size_t i) {
+        const std::size_t first = i * kTrianglesInTask;
+        const std::span<Facing> part =
+            std::span(facing).subspan(first, std::min(kTrianglesInTask, facing.size() - first));
+        const std::size_t done = HWY_DYNAMIC_DISPATCH(classify_facing)(task, static_cast<TriangleId>(first), part);
+        // What floats leave open, and the last few, are decided in double.
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            if (k >= done || part[k] == Facing::Changes)
+                part[k] = facing_over(*task.mesh, static_cast<TriangleId>(first + k), piece);
+        }
+    });
     return facing;
 }
 }  // namespace overfly

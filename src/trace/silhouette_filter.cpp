@@ -18,48 +18,28 @@ namespace silhouette_filter {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::size_t kPlacesTogether = 16;
-
-// More than the roundings of a film coordinate, and of a side relative to the sum of its parts' magnitudes; and enough
-// to let pass who begins so near to an edge that silhouette_passages wants to know (kNearBegin there).
-constexpr float kRounding = 4e-6F;
-
 // Newton's steps; a root that they do not find is left open.
 constexpr int kSteps = 4;
 
-using D = hn::CappedTag<float, kPlacesTogether>;
+// Of a time in single precision, and a good deal more.
+constexpr float kTimeRounding = 1e-6F;
+
+// The slope may change until the root: half of the doubt is for that.
+constexpr float kHalfGuessDoubt = 0.5F * kGuessDoubt;
+
+using D = hn::CappedTag<float, FilmPlaces::kTogether>;
 using V = hn::Vec<D>;
 
-// A side form in single precision: monomial coefficients in u.
-struct Form {
-    explicit Form(const SideForm& form) {
-        double scale = 0.0;
-        const auto right_u = monomials<4>(form.right);
-        const auto down_u = monomials<4>(form.down);
-        const auto view_u = monomials<4>(form.view);
-        for (std::size_t j = 0; j < 5; ++j) {
-            right[j] = static_cast<float>(right_u[j]);
-            down[j] = static_cast<float>(down_u[j]);
-            view[j] = static_cast<float>(view_u[j]);
-            scale += std::abs(right_u[j]) + std::abs(down_u[j]) + std::abs(view_u[j]);
-        }
-        margin = kRounding * static_cast<float>(scale);
+// The coefficients of a form for lines of sight.
+HWY_INLINE std::array<V, 5> at(const FloatForm& form, V x, V y) {
+    const D d;
+    std::array<V, 5> c;
+    for (std::size_t j = 0; j < 5; ++j) {
+        c[j] = hn::Add(hn::Add(hn::Mul(x, hn::Set(d, form.right[j])), hn::Mul(y, hn::Set(d, form.down[j]))),
+                       hn::Set(d, form.view[j]));
     }
-
-    // The coefficients for a line of sight.
-    HWY_INLINE std::array<V, 5> at(V x, V y) const {
-        const D d;
-        std::array<V, 5> c;
-        for (std::size_t j = 0; j < 5; ++j) {
-            c[j] = hn::Add(hn::Add(hn::Mul(x, hn::Set(d, right[j])), hn::Mul(y, hn::Set(d, down[j]))),
-                           hn::Set(d, view[j]));
-        }
-        return c;
-    }
-
-    std::array<float, 5> right{}, down{}, view{};
-    float margin = 0.0F;
-};
+    return c;
+}
 
 HWY_INLINE V value(const std::array<V, 5>& c, V u) {
     V sum = hn::Add(hn::Mul(c[4], u), c[3]);
@@ -74,114 +54,148 @@ HWY_INLINE V slope(const std::array<V, 5>& c, V u) {
     return hn::Add(hn::Mul(sum, u), c[1]);
 }
 
-// The Bernstein coefficients of the same polynomial: whether they surely have one sign.
-HWY_INLINE hn::Mask<D> surely_one_sign(const std::array<V, 5>& c, float margin) {
+// What the Bernstein coefficients of the same polynomial tell for certain.
+struct Course {
+    hn::Mask<D> has_one_sign, is_monotone;
+};
+HWY_INLINE Course course(const std::array<V, 5>& c, float margin) {
     const D d;
-    V b = c[0];
-    V least = b;
-    V most = b;
     // b_j = sum over i <= j of C(j,i) / C(4,i) c_i.
-    const auto take = [&](V next) HWY_ATTR {
-        least = hn::Min(least, next);
-        most = hn::Max(most, next);
-    };
     const V quarter = hn::Mul(c[1], hn::Set(d, 0.25F));
     const V sixth = hn::Mul(c[2], hn::Set(d, 1.0F / 6.0F));
-    b = hn::Add(c[0], quarter);
-    take(b);
-    b = hn::Add(hn::Add(b, quarter), sixth);
-    take(b);
-    b = hn::Add(hn::Add(hn::Add(c[0], hn::Mul(quarter, hn::Set(d, 3.0F))), hn::Mul(sixth, hn::Set(d, 3.0F))),
-                hn::Mul(c[3], hn::Set(d, 0.25F)));
-    take(b);
-    take(hn::Add(hn::Add(hn::Add(c[0], c[1]), hn::Add(c[2], c[3])), c[4]));
-    return hn::Or(hn::Gt(least, hn::Set(d, margin)), hn::Lt(most, hn::Set(d, -margin)));
+    const V b1 = hn::Add(c[0], quarter);
+    const V b2 = hn::Add(hn::Add(b1, quarter), sixth);
+    const V b3 = hn::Add(hn::Add(hn::Add(c[0], hn::Mul(quarter, hn::Set(d, 3.0F))), hn::Mul(sixth, hn::Set(d, 3.0F))),
+                         hn::Mul(c[3], hn::Set(d, 0.25F)));
+    const V b4 = hn::Add(hn::Add(hn::Add(c[0], c[1]), hn::Add(c[2], c[3])), c[4]);
+    const V least = hn::Min(hn::Min(hn::Min(c[0], b1), hn::Min(b2, b3)), b4);
+    const V most = hn::Max(hn::Max(hn::Max(c[0], b1), hn::Max(b2, b3)), b4);
+    const V d0 = hn::Sub(b1, c[0]);
+    const V d1 = hn::Sub(b2, b1);
+    const V d2 = hn::Sub(b3, b2);
+    const V d3 = hn::Sub(b4, b3);
+    const V least_slope = hn::Min(hn::Min(d0, d1), hn::Min(d2, d3));
+    const V most_slope = hn::Max(hn::Max(d0, d1), hn::Max(d2, d3));
+    const V high = hn::Set(d, margin);
+    const V low = hn::Set(d, -margin);
+    return {hn::Or(hn::Gt(least, high), hn::Lt(most, low)), hn::Or(hn::Gt(least_slope, high), hn::Lt(most_slope, low))};
+}
+
+HWY_INLINE std::uint32_t bits_of(hn::Mask<D> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(D(), mask, bytes);
+    return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8U;
 }
 
 class Filter {
   public:
-    Filter(const Silhouette& s)
-        : across_(s.across),
-          begin_(s.begin),
-          end_(s.end),
-          has_ends_(s.has_ends),
-          low_x_(static_cast<float>(s.film.low_x) - kRounding),
-          high_x_(static_cast<float>(s.film.high_x) + kRounding),
-          low_y_(static_cast<float>(s.film.low_y) - kRounding),
-          high_y_(static_cast<float>(s.film.high_y) + kRounding) {}
+    Filter(const Silhouette& s, double begin_u) : s_(&s), film_(s.film), begin_u_(static_cast<float>(begin_u)) {}
+
+    // Which of the packets have any sample within reach.
+    [[nodiscard]] bool may_pass(const FilmBounds& packet) const { return film_.overlaps(packet); }
 
     struct Passing {
-        hn::Mask<D> may;
-        V u;
+        hn::Mask<D> may, once;
+        V u, doubt;
     };
 
     HWY_INLINE Passing passing(V x, V y) const {
         const D d;
-        const auto in_x = hn::And(hn::Ge(x, hn::Set(d, low_x_)), hn::Le(x, hn::Set(d, high_x_)));
-        const auto in_y = hn::And(hn::Ge(y, hn::Set(d, low_y_)), hn::Le(y, hn::Set(d, high_y_)));
-        const std::array<V, 5> c = across_.at(x, y);
-        const auto may = hn::AndNot(surely_one_sign(c, across_.margin), hn::And(in_x, in_y));
-        if (hn::AllFalse(d, may)) return {may, x};
-        const Root root = root_of(c);
-        return {has_ends_ ? hn::AndNot(surely_beside(root, x, y), may) : may, root.u};
+        const std::array<V, 5> c = at(s_->rough_across, x, y);
+        const Course side = course(c, s_->rough_across.margin());
+        auto may = hn::And(hn::Not(side.has_one_sign), is_on_film(x, y));
+        if (hn::AllFalse(d, may)) return {may, may, x, x};
+        const Root root = root_of(c, side.is_monotone);
+        if (s_->has_ends) may = hn::AndNot(surely_beside(root, x, y), may);
+        return {may, root.is_certain, root.u, root.doubt};
     }
 
   private:
     struct Root {
-        V u;
-        hn::Mask<D> is_only;  // the line of sight passes the edge's line there, and at no other time
+        V u, doubt;              // by how much it may be off, if it is certain
+        hn::Mask<D> is_only;     // the line of sight passes the edge's line there, and at no other time
+        hn::Mask<D> is_certain;  // and that by kGuessDoubt, and not near the begin or the end
     };
 
-    HWY_INLINE Root root_of(const std::array<V, 5>& c) const {
+    HWY_INLINE hn::Mask<D> is_on_film(V x, V y) const {
+        const D d;
+        const auto low = [](double v) { return static_cast<float>(v) - kFilmRounding; };
+        const auto high = [](double v) { return static_cast<float>(v) + kFilmRounding; };
+        const auto in_x = hn::And(hn::Ge(x, hn::Set(d, low(film_.low_x))), hn::Le(x, hn::Set(d, high(film_.high_x))));
+        const auto in_y = hn::And(hn::Ge(y, hn::Set(d, low(film_.low_y))), hn::Le(y, hn::Set(d, high(film_.high_y))));
+        return hn::And(in_x, in_y);
+    }
+
+    HWY_INLINE Root root_of(const std::array<V, 5>& c, hn::Mask<D> is_monotone) const {
         const D d;
         const V zero = hn::Zero(d);
         const V one = hn::Set(d, 1.0F);
         const V last = value(c, one);
-        const auto once = hn::Lt(hn::Mul(c[0], last), zero);
+        const auto once = hn::And(is_monotone, hn::Lt(hn::Mul(c[0], last), zero));
         V u = hn::Div(c[0], hn::IfThenElse(once, hn::Sub(c[0], last), one));
         for (int step = 0; step < kSteps; ++step)
             u = hn::Min(hn::Max(hn::Sub(u, hn::Div(value(c, u), slope(c, u))), zero), one);
-        const auto found = hn::Le(hn::Abs(value(c, u)), hn::Set(d, across_.margin));
-        return {u, hn::And(once, found)};
+        const V margin = hn::Set(d, s_->rough_across.margin());
+        const auto is_found = hn::And(once, hn::Le(hn::Abs(value(c, u)), margin));
+        // What is left of the value, and as much as it may be off by, over the slope: the guess may be off by that.
+        const V left = hn::Add(hn::Abs(value(c, u)), hn::Set(d, s_->rough_across.rounding()));
+        const auto is_near = hn::Lt(left, hn::Mul(hn::Abs(slope(c, u)), hn::Set(d, kHalfGuessDoubt)));
+        const auto is_inside =
+            hn::Gt(hn::Min(hn::Abs(value(c, hn::Set(d, begin_u_))), hn::Min(hn::Abs(c[0]), hn::Abs(last))),
+                   hn::Add(margin, margin));
+        const V doubt = hn::Div(hn::Add(left, left), hn::Abs(slope(c, u)));
+        return {u, doubt, is_found, hn::And(is_found, hn::And(is_near, is_inside))};
     }
 
     // Whether the line of sight surely does not pass between the edge's ends.
     HWY_INLINE hn::Mask<D> surely_beside(const Root& root, V x, V y) const {
+        const auto beside =
+            hn::Or(surely_below_0(s_->rough_begin, root, x, y), surely_below_0(s_->rough_end, root, x, y));
+        return hn::And(root.is_only, beside);
+    }
+    HWY_INLINE static hn::Mask<D> surely_below_0(const FloatForm& form, const Root& root, V x, V y) {
         const D d;
-        const auto before = hn::Lt(value(begin_.at(x, y), root.u), hn::Set(d, -begin_.margin));
-        const auto behind = hn::Lt(value(end_.at(x, y), root.u), hn::Set(d, -end_.margin));
-        return hn::And(root.is_only, hn::Or(before, behind));
+        const std::array<V, 5> c = at(form, x, y);
+        const V side = value(c, root.u);
+        const V moved = hn::Mul(hn::Abs(slope(c, root.u)), hn::Add(root.doubt, root.doubt));
+        const auto is_below = hn::Lt(side, hn::Neg(hn::Add(moved, hn::Set(d, form.rounding()))));
+        return hn::Or(hn::And(root.is_certain, is_below), hn::Lt(side, hn::Set(d, -form.margin())));
     }
 
-    Form across_, begin_, end_;
-    bool has_ends_;
-    float low_x_, high_x_, low_y_, high_y_;
+    const Silhouette* s_;
+    FilmBounds film_;
+    float begin_u_;
 };
 
-void append(const Silhouette& silhouette, const FilmPlaces& places, std::vector<PassingPlace>& passing) {
-    const Filter filter(silhouette);
+void append(const Silhouette& silhouette, double begin_u, const FilmPlaces& places,
+            std::vector<PassingPlace>& passing) {
+    const Filter filter(silhouette, begin_u);
     const D d;
     const std::size_t lanes = hn::Lanes(d);
     for (std::size_t first = 0; first < places.count; first += lanes) {
+        if (!filter.may_pass(places.bounds[first / FilmPlaces::kTogether])) continue;
         const Filter::Passing some = filter.passing(hn::LoadU(d, &places.x[first]), hn::LoadU(d, &places.y[first]));
         if (hn::AllFalse(d, some.may)) continue;
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, some.may, bytes);
-        alignas(64) std::array<float, kPlacesTogether> guess;
+        alignas(64) std::array<float, FilmPlaces::kTogether> guess;
         hn::Store(some.u, d, guess.data());
-        auto bits = static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8U;
-        for (; bits != 0; bits &= bits - 1) {
+        alignas(64) std::array<float, FilmPlaces::kTogether> doubt;
+        hn::Store(hn::Min(hn::Add(some.doubt, hn::Set(d, kTimeRounding)), hn::Set(d, kGuessDoubt)), d, doubt.data());
+        const std::uint32_t once = bits_of(some.once);
+        for (std::uint32_t bits = bits_of(some.may); bits != 0; bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
             const std::size_t place = first + lane;
-            if (place < places.count) passing.push_back({static_cast<std::uint32_t>(place), guess[lane]});
+            if (place < places.count)
+                passing.push_back(
+                    {static_cast<std::uint32_t>(place), guess[lane], doubt[lane], (once >> lane & 1U) != 0});
         }
     }
 }
 
 }  // namespace silhouette_filter
 
-void append_passing_places(const Silhouette& silhouette, const FilmPlaces& places, std::vector<PassingPlace>& passing) {
-    silhouette_filter::append(silhouette, places, passing);
+void append_passing_places(const Silhouette& silhouette, double begin_u, const FilmPlaces& places,
+                           std::vector<PassingPlace>& passing) {
+    silhouette_filter::append(silhouette, begin_u, places, passing);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -192,12 +206,8 @@ HWY_AFTER_NAMESPACE();
 namespace overfly {
 HWY_EXPORT(append_passing_places);
 
-namespace {
-constexpr std::size_t kWholeVectors = 16;
-}
-
 FilmPlaces::FilmPlaces(std::span<const ImageSample> samples) : count(samples.size()) {
-    const std::size_t whole = (count + kWholeVectors - 1) / kWholeVectors * kWholeVectors;
+    const std::size_t whole = (count + kTogether - 1) / kTogether * kTogether;
     x.resize(whole);
     y.resize(whole);
     for (std::size_t i = 0; i < whole; ++i) {
@@ -205,10 +215,13 @@ FilmPlaces::FilmPlaces(std::span<const ImageSample> samples) : count(samples.siz
         x[i] = static_cast<float>(s.x);
         y[i] = static_cast<float>(s.y);
     }
+    for (std::size_t first = 0; first < count; first += kTogether)
+        bounds.push_back(film_bounds(samples.subspan(first, std::min(kTogether, count - first))));
 }
 
-void append_passing(const Silhouette& silhouette, const FilmPlaces& places, std::vector<PassingPlace>& passing) {
-    HWY_DYNAMIC_DISPATCH(append_passing_places)(silhouette, places, passing);
+void append_passing(const Silhouette& silhouette, double begin_u, const FilmPlaces& places,
+                    std::vector<PassingPlace>& passing) {
+    HWY_DYNAMIC_DISPATCH(append_passing_places)(silhouette, begin_u, places, passing);
 }
 }  // namespace overfly
 #endif

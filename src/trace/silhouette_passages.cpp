@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/bracketed_root.h"
@@ -22,71 +24,140 @@ constexpr double kRootSlack = 1e-10;
 constexpr double kNearBegin = 4e-6;
 constexpr double kBesideBegin = 0.01;
 
+// What is further from the stretch is left out: nothing in it is as near to that as two guesses may be off, nor is
+// looked at together with it (kAboutNow in kinetic_walk.cpp).
+constexpr double kOutside = 4.0 * static_cast<double>(kGuessDoubt);
+
+// Where a line of sight passes an edge's line.
+struct Root {
+    double u;
+    bool rises;
+};
+
+std::optional<SilhouettePassage> passage_at(const KineticPiece& piece, const ImageSample& sample,
+                                            const SilhouettePassage& which, Root root) {
+    SilhouettePassage passage = which;
+    passage.state = SilhouettePassage::State::Exact;
+    passage.doubt_u = 0.0;
+    passage.comes = root.rises == (piece.facing_sign(which.half_edge / 4, root.u) > 0.0);
+    passage.u = passage.comes ? root.u + kRootSlack : root.u - kRootSlack;
+    if (passage.u <= 0.0 || passage.u > 1.0) return std::nullopt;
+    const EdgePoint point = edge_point(piece.mesh(), which.half_edge, piece.line_at(root.u, sample.x, sample.y));
+    const bool is_beside = point.along < -kBesideEdge || point.along > 1.0 + kBesideEdge;
+    if (!(point.depth > 0.0) || is_beside) return std::nullopt;
+    return passage;
+}
+
 class Gathering {
   public:
     Gathering(const KineticPiece& piece, const PieceStretch& stretch, std::span<const ImageSample> samples)
         : piece_(&piece), stretch_(&stretch), samples_(samples) {}
 
     SilhouettePassages run() {
-        const FilmPlaces places(samples_);
-        std::vector<PassingPlace> passing;
-        for (const std::uint32_t s : piece_->silhouettes_near(film_bounds(samples_))) {
-            const Silhouette& silhouette = piece_->silhouettes()[s];
-            passing.clear();
-            append_passing(silhouette, places, passing);
-            // On the film a side form falls by its own gradient for each unit of distance.
-            const double u = stretch_->from_u;
-            const double gradient =
-                std::hypot(value_at<4>(silhouette.across.right, u), value_at<4>(silhouette.across.down, u));
-            for (const PassingPlace& p : passing) add_roots(p, silhouette, kNearBegin * gradient);
-        }
-        std::ranges::sort(found_.in_order, [](const SilhouettePassage& a, const SilhouettePassage& b) {
-            if (a.sample != b.sample) return a.sample < b.sample;
-            return a.u != b.u ? a.u < b.u : a.half_edge < b.half_edge;
-        });
+        const std::vector<std::uint32_t> near = piece_->silhouettes_near(film_bounds(samples_));
+        if (!near.empty()) gather(near);
+        if (!mixed_.empty()) by_sample();
         return std::move(found_);
     }
 
   private:
-    void add_roots(const PassingPlace& passing, const Silhouette& silhouette, double near_begin) {
-        const ImageSample& sample = samples_[passing.place];
-        const Bernstein<4> side = silhouette.across.at(sample.x, sample.y);
-        const double first = value_at<4>(side, stretch_->from_u);
-        if (std::abs(first) <= near_begin) add_at_begin(passing.place, silhouette, first);
-        const auto guess_u = static_cast<double>(passing.guess_u);
-        if (sign_changes<4>(side) == 1 && guess_u >= 0.0 && guess_u <= 1.0) {
-            const RootStep step = step_to_root<4>(taylor_at<4>(side, guess_u));
-            if (step.is_last) return add(passing.place, silhouette, guess_u + step.h, side[0] < 0.0 || side[4] > 0.0);
+    void gather(std::span<const std::uint32_t> near) {
+        const FilmPlaces places(samples_);
+        std::vector<PassingPlace> passing;
+        for (const std::uint32_t s : near) {
+            const Silhouette& silhouette = piece_->silhouettes()[s];
+            passing.clear();
+            append_passing(silhouette, stretch_->from_u, places, passing);
+            for (const PassingPlace& p : passing) {
+                SilhouettePassage which;
+                which.sample = p.place;
+                which.silhouette = s;
+                which.u = static_cast<double>(p.guess_u);
+                which.doubt_u = static_cast<double>(p.doubt_u);
+                which.half_edge = silhouette.half_edge;
+                which.state = SilhouettePassage::State::Guess;
+                if (p.once) {
+                    if (is_about(which.u)) mixed_.push_back(which);
+                } else {
+                    add_exact(which, silhouette);
+                }
+            }
         }
+    }
+
+    [[nodiscard]] bool is_about(double u) const {
+        return u > stretch_->from_u - kOutside && u < stretch_->to_u + kOutside;
+    }
+
+    void add_exact(const SilhouettePassage& which, const Silhouette& silhouette) {
+        const ImageSample& sample = samples_[which.sample];
+        const Bernstein<4> side = silhouette.across.at(sample.x, sample.y);
+        // On the film a side form falls by its own gradient for each unit of distance.
+        const double u0 = stretch_->from_u;
+        const double gradient =
+            std::hypot(value_at<4>(silhouette.across.right, u0), value_at<4>(silhouette.across.down, u0));
+        const double first = value_at<4>(side, u0);
+        if (std::abs(first) <= kNearBegin * gradient) add_at_begin(which, first);
         const EdgeSide exact(side);
-        for (const double root : exact.roots()) add(passing.place, silhouette, root, exact.sign_after(root) > 0.0);
+        for (const double u : exact.roots()) {
+            const auto passage = passage_at(*piece_, sample, which, {u, exact.sign_after(u) > 0.0});
+            if (passage && is_about(u)) mixed_.push_back(*passage);
+        }
     }
 
     // As if the line came to it just now, if it is on the side of what is beside the edge.
-    void add_at_begin(std::uint32_t sample, const Silhouette& silhouette, double side) {
+    void add_at_begin(const SilhouettePassage& which, double side) {
+        const ImageSample& s = samples_[which.sample];
         const double u = stretch_->from_u;
-        const ImageSample& s = samples_[sample];
-        const EdgePoint point = edge_point(piece_->mesh(), silhouette.half_edge, piece_->line_at(u, s.x, s.y));
+        const EdgePoint point = edge_point(piece_->mesh(), which.half_edge, piece_->line_at(u, s.x, s.y));
         const bool is_beside = point.along < -kBesideBegin || point.along > 1.0 + kBesideBegin;
         if (is_beside || !(point.depth > 0.0)) return;
-        found_.begins_at_edge.push_back(sample);
-        const bool is_covered = side * piece_->facing_sign(silhouette.half_edge / 4, u) >= 0.0;
-        if (is_covered) found_.in_order.push_back({sample, u + kRootSlack, silhouette.half_edge, true});
+        found_.begins_at_edge.push_back(which.sample);
+        if (side * piece_->facing_sign(which.half_edge / 4, u) < 0.0) return;
+        SilhouettePassage passage = which;
+        passage.u = u + kRootSlack;
+        passage.doubt_u = 0.0;
+        passage.comes = true;
+        passage.state = SilhouettePassage::State::Exact;
+        mixed_.push_back(passage);
     }
 
-    void add(std::uint32_t sample, const Silhouette& silhouette, double root, bool rises) {
-        const bool comes = rises == (piece_->facing_sign(silhouette.half_edge / 4, root) > 0.0);
-        const double u = comes ? root + kRootSlack : root - kRootSlack;
-        if (u <= stretch_->from_u || u > stretch_->to_u) return;
-        const ImageSample& s = samples_[sample];
-        const EdgePoint point = edge_point(piece_->mesh(), silhouette.half_edge, piece_->line_at(root, s.x, s.y));
-        const bool is_beside = point.along < -kBesideEdge || point.along > 1.0 + kBesideEdge;
-        if (point.depth > 0.0 && !is_beside) found_.in_order.push_back({sample, u, silhouette.half_edge, comes});
+    // Counts how many each sample has, puts them there, and sorts the few of each.
+    void by_sample() {
+        std::vector<std::uint32_t> ends(samples_.size() + 1, 0);
+        for (const SilhouettePassage& p : mixed_) ++ends[p.sample + 1];
+        for (std::size_t i = 0; i < samples_.size(); ++i) ends[i + 1] += ends[i];
+        found_.in_order.resize(mixed_.size());
+        std::vector<std::uint32_t> next = ends;
+        for (const SilhouettePassage& p : mixed_) found_.in_order[next[p.sample]++] = p;
+        for (std::size_t i = 0; i < samples_.size(); ++i)
+            put_in_order(std::span(found_.in_order).subspan(ends[i], ends[i + 1] - ends[i]));
+    }
+
+    void put_in_order(std::span<SilhouettePassage> of_one) const {
+        if (of_one.size() < 2) return;
+        const auto is_sooner = [](const SilhouettePassage& a, const SilhouettePassage& b) {
+            return a.u != b.u ? a.u < b.u : a.half_edge < b.half_edge;
+        };
+        std::ranges::sort(of_one, is_sooner);
+        bool any = false;
+        for (std::size_t k = 0; k + 1 < of_one.size(); ++k) {
+            if (of_one[k + 1].u - of_one[k].u > of_one[k + 1].doubt_u + of_one[k].doubt_u) continue;
+            for (SilhouettePassage* p : {&of_one[k], &of_one[k + 1]}) {
+                any = any || p->state == SilhouettePassage::State::Guess;
+                to_sort_.push_back(p);
+            }
+        }
+        for (SilhouettePassage* p : to_sort_) resolve(*piece_, samples_[p->sample], *p);
+        to_sort_.clear();
+        if (any) std::ranges::sort(of_one, is_sooner);
     }
 
     const KineticPiece* piece_;
     const PieceStretch* stretch_;
     std::span<const ImageSample> samples_;
+    std::vector<SilhouettePassage> mixed_;
+    mutable std::vector<SilhouettePassage*> to_sort_;
     SilhouettePassages found_;
 };
 
@@ -95,6 +166,29 @@ class Gathering {
 SilhouettePassages silhouette_passages(const KineticPiece& piece, const PieceStretch& stretch,
                                        std::span<const ImageSample> samples) {
     return Gathering(piece, stretch, samples).run();
+}
+
+void resolve(const KineticPiece& piece, const ImageSample& sample, SilhouettePassage& passage) {
+    if (passage.state != SilhouettePassage::State::Guess) return;
+    const Bernstein<4> side = piece.silhouettes()[passage.silhouette].across.at(sample.x, sample.y);
+    const RootStep step = step_to_root<4>(taylor_at<4>(side, passage.u));
+    Root root = {passage.u + step.h, side[0] < 0.0 || side[4] > 0.0};
+    if (!step.is_last) {
+        const EdgeSide exact(side);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const double u : exact.roots()) {
+            if (std::abs(u - passage.u) >= nearest) continue;
+            nearest = std::abs(u - passage.u);
+            root = {u, exact.sign_after(u) > 0.0};
+        }
+    }
+    const auto found = passage_at(piece, sample, passage, root);
+    if (found) {
+        passage = *found;
+    } else {
+        passage.state = SilhouettePassage::State::None;
+        passage.doubt_u = 0.0;
+    }
 }
 
 }  // namespace overfly

@@ -54,6 +54,8 @@ struct TraceCounters {
     // neighbour; silhouettes that came in front, and that were left; and how often the walk found that it was not where
     // it thought.
     std::uint64_t restarts = 0, crossings = 0, occlusions = 0, disocclusions = 0, lost = 0;
+    // Answers that a ray was asked again (kinetic_check.h), those that differed, and of them those next to an edge.
+    std::uint64_t checked = 0, differed = 0, differed_by_edge = 0;
 
     TraceCounters& operator+=(const TraceCounters& other) {
         rays += other.rays;
@@ -68,6 +70,9 @@ struct TraceCounters {
         occlusions += other.occlusions;
         disocclusions += other.disocclusions;
         lost += other.lost;
+        checked += other.checked;
+        differed += other.differed;
+        differed_by_edge += other.differed_by_edge;
         return *this;
     }
 };

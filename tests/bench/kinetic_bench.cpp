@@ -1,4 +1,5 @@
 // The kinetic tracer beside discrete rays on a shot, one line or ray a pixel and frame, visibility alone, one thread.
+// "kinetic" sets its lines down anew in each piece of the motion, "carried" only in the first of a few.
 // usage: overfly_kinetic_bench SHOT.yaml [KEY=VALUE...]
 #include <algorithm>
 #include <array>
@@ -13,26 +14,29 @@
 #include "config/read.h"
 #include "flight/motion.h"
 #include "shot/expose_piece.h"
+#include "shot/flight_scene.h"
 #include "shot/frame_plan.h"
 #include "shot/pixel_tile.h"
 #include "shot/prepare_scene.h"
 #include "shot/processor_time.h"
 #include "shot/stage.h"
 #include "trace/kinetic.h"
+#include "trace/kinetic_check.h"
 
 namespace overfly {
 namespace {
 
-constexpr std::size_t kPieces = 3;
-constexpr std::size_t kEveryTile = 4;
-constexpr double kPiece_frames = 8.0;
+constexpr std::size_t kPlaces = 3;  // of the shot that are measured
+constexpr std::size_t kInARow = 4;  // pieces in each
+constexpr std::size_t kEveryTile = 8;
+constexpr double kLongestPiece_s = 1.0 / 3.0;  // whatever the frame rate is
 
 Motion motion_of(const ShotDocument& shot, const CameraPath& path, const Stage& stage) {
     MotionOptions options;
     options.bound_px = shot.motion_bound_px;
     options.width_px = shot.image.width;
     options.height_px = shot.image.height;
-    options.longest_piece_s = kPiece_frames / shot.frames.rate.per_s();
+    options.longest_piece_s = kLongestPiece_s;
     return fit_motion(path, path.times(), stage.surroundings(), options);
 }
 
@@ -69,29 +73,14 @@ double embree_seconds(const RayScene& scene, const MotionPiece& piece, const std
     return seconds;
 }
 
-// In pixels, from where a sample looks to the nearest side of a triangle, sides taken as lines.
-double pixels_to_sides(const TriangleMesh& mesh, TriangleId triangle, const MotionPiece& piece, const ImageSample& s,
-                       double u, int width_px) {
-    double nearest = std::numeric_limits<double>::infinity();
-    const Vector<Scene> d = piece.direction_at(u, s.x, s.y);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vector<Scene> a = mesh.positions[mesh.triangles[triangle][k]] - piece.origin_at(u);
-        const Vector<Scene> b = mesh.positions[mesh.triangles[triangle][(k + 1) % 3]] - piece.origin_at(u);
-        const Vector<Scene> plane = cross(a, b);
-        const double slope = std::hypot(dot(plane, piece.right.at(u)), dot(plane, piece.down.at(u)));
-        nearest = std::min(nearest, std::abs(dot(plane, d)) / slope);
-    }
-    return nearest * 0.5 * width_px;
-}
-
 struct Totals {
     int width_px = 0;
     long by_edge = 0;  // of those that differ, within a thousandth of a pixel of an edge
     double furthest_px = 0.0;
     double pixel_frames = 0.0;
-    double discrete_s = 0.0, embree_s = 0.0, prepare_s = 0.0, kinetic_s = 0.0;
+    double discrete_s = 0.0, embree_s = 0.0, prepare_s = 0.0, kinetic_s = 0.0, carried_s = 0.0;
     long pairs = 0, same = 0;
-    TraceCounters discrete, kinetic;
+    TraceCounters discrete, kinetic, carried;
 };
 
 void count_same(const TriangleMesh& mesh, const MotionPiece& piece, const TileSamples& tile,
@@ -112,7 +101,8 @@ void count_same(const TriangleMesh& mesh, const MotionPiece& piece, const TileSa
             for (const TriangleId t : {found, instant.triangle}) {
                 if (t == kNone) continue;
                 const double u = piece.u_at(instant.when.begin_s);
-                pixels = std::min(pixels, pixels_to_sides(mesh, t, piece, tile.samples[i], u, totals.width_px));
+                const double film = film_distance_to_sides(mesh, t, piece, tile.samples[i], u);
+                pixels = std::min(pixels, film * 0.5 * totals.width_px);
             }
             if (pixels <= 1e-3) ++totals.by_edge;
             totals.furthest_px = std::max(totals.furthest_px, pixels);
@@ -120,28 +110,35 @@ void count_same(const TriangleMesh& mesh, const MotionPiece& piece, const TileSa
     }
 }
 
+// What the samples of each tile see at the end of the piece before.
+using Carried = std::vector<std::vector<TriangleId>>;
+
 void time_piece(const Stage& stage, const MotionPiece& piece, std::span<const TimeRange> exposures,
-                const std::vector<TileSamples>& tiles, const FilmBounds& picture, Totals& totals) {
+                const std::vector<TileSamples>& tiles, const FilmBounds& picture, Carried& seen, Totals& totals) {
     const DiscreteTracer discrete(stage.rays());
     const KineticTracer kinetic(stage.rays());
     double start_s = processor_seconds();
     const KineticPiece prepared = kinetic.prepare(piece, picture);
     totals.prepare_s += processor_seconds() - start_s;
-    std::printf("  %zu silhouettes, %.1f MB, %zu passages\n", prepared.silhouettes().size(),
-                1e-6 * static_cast<double>(prepared.memory_bytes()), prepared.surface_passages().size());
     SegmentLists instants;
     SegmentLists lists;
-    for (const TileSamples& tile : tiles) {
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const std::vector<ImageSample>& samples = tiles[i].samples;
         instants.clear();
         lists.clear();
         start_s = processor_seconds();
-        discrete.trace(piece, tile.samples, exposures, instants, totals.discrete);
-        const double middle_s = processor_seconds();
-        kinetic.trace(prepared, tile.samples, exposures, lists, totals.kinetic);
-        totals.discrete_s += middle_s - start_s;
-        totals.kinetic_s += processor_seconds() - middle_s;
-        totals.pixel_frames += static_cast<double>(tile.samples.size() * exposures.size());
-        count_same(stage.mesh(), piece, tile, instants, lists, totals);
+        discrete.trace(piece, samples, exposures, instants, totals.discrete);
+        const double discrete_end_s = processor_seconds();
+        kinetic.trace(prepared, samples, exposures, lists, totals.kinetic);
+        const double kinetic_end_s = processor_seconds();
+        totals.discrete_s += discrete_end_s - start_s;
+        totals.kinetic_s += kinetic_end_s - discrete_end_s;
+        totals.pixel_frames += static_cast<double>(samples.size() * exposures.size());
+        lists.clear();
+        start_s = processor_seconds();
+        kinetic.trace(prepared, samples, seen[i], lists, totals.carried);
+        totals.carried_s += processor_seconds() - start_s;
+        count_same(stage.mesh(), piece, tiles[i], instants, lists, totals);
     }
     totals.embree_s += embree_seconds(stage.rays(), piece, tiles, exposures);
 }
@@ -151,11 +148,11 @@ void print(const Totals& t) {
     const auto per = [&](std::uint64_t count) { return static_cast<double>(count) / t.pixel_frames; };
     // Only every so many tiles were traced, but the whole mesh was prepared.
     const double prepare_s = t.prepare_s / static_cast<double>(kEveryTile);
-    std::printf("ns per pixel and frame: embree %.1f  discrete %.1f  kinetic %.1f + prepare %.1f\n", ns(t.embree_s),
-                ns(t.discrete_s), ns(t.kinetic_s), ns(prepare_s));
+    std::printf("ns per pixel and frame: embree %.1f  discrete %.1f  kinetic %.1f  carried %.1f  prepare %.1f\n",
+                ns(t.embree_s), ns(t.discrete_s), ns(t.kinetic_s), ns(t.carried_s), ns(prepare_s));
     std::printf("per pixel and frame: crossings %.3f occlusions %.5f disocclusions %.5f lost %.2e segments %.3f\n",
-                per(t.kinetic.crossings), per(t.kinetic.occlusions), per(t.kinetic.disocclusions), per(t.kinetic.lost),
-                per(t.kinetic.segments));
+                per(t.carried.crossings), per(t.carried.occlusions), per(t.carried.disocclusions), per(t.carried.lost),
+                per(t.carried.segments));
     std::printf("same triangle: %.5f %% of %ld; of the other %ld at an edge %ld, furthest %.1e px\n",
                 100.0 * static_cast<double>(t.same) / static_cast<double>(t.pairs), t.pairs, t.pairs - t.same,
                 t.by_edge, t.furthest_px);
@@ -163,10 +160,11 @@ void print(const Totals& t) {
 
 void run(const std::string& file, const std::vector<std::string>& assignments) {
     const ShotDocument shot = read_shot_document(file, assignments);
-    const Stage stage(prepare_terrain(shot.terrain, default_cache_folder()), middle_of(shot.flight));
+    Stage stage(prepare_terrain(shot.terrain, default_cache_folder()), middle_of(shot.flight));
     const CameraPath path = make_path(shot.flight, stage);
     const std::vector<PlannedFrame> frames = plan_frames(shot, path.times());
     const Motion motion = motion_of(shot, path, stage);
+    fit_mesh_to_flight(stage, shot, path, default_cache_folder());
     const PictureSize size = {shot.image.width, shot.image.height};
     const std::vector<PixelTile> all = tiles_of(size);
     std::vector<TileSamples> tiles;
@@ -176,13 +174,18 @@ void run(const std::string& file, const std::vector<std::string>& assignments) {
     totals.width_px = size.width;
     std::printf("%d x %d, %zu triangles, %zu frames in %zu pieces\n", size.width, size.height,
                 stage.mesh().triangles.size(), frames.size(), motion.pieces.size());
-    for (std::size_t k = 0; k < kPieces; ++k) {
-        const MotionPiece& piece = motion.pieces[(2 * k + 1) * motion.pieces.size() / (2 * kPieces)];
-        std::vector<TimeRange> exposures;
-        for (const PlannedFrame& f : frames) {
-            if (is_exposed_in(f, piece)) exposures.push_back(intersection(f.exposure, piece.when));
+    for (std::size_t k = 0; k < kPlaces; ++k) {
+        const std::size_t first = (2 * k + 1) * motion.pieces.size() / (2 * kPlaces);
+        Carried seen;
+        for (const TileSamples& tile : tiles) seen.emplace_back(tile.samples.size(), kNotKnown);
+        for (std::size_t i = first; i < std::min(first + kInARow, motion.pieces.size()); ++i) {
+            const MotionPiece& piece = motion.pieces[i];
+            std::vector<TimeRange> exposures;
+            for (const PlannedFrame& f : frames) {
+                if (is_exposed_in(f, piece)) exposures.push_back(intersection(f.exposure, piece.when));
+            }
+            time_piece(stage, piece, exposures, tiles, picture, seen, totals);
         }
-        time_piece(stage, piece, exposures, tiles, picture, totals);
     }
     print(totals);
 }

@@ -7,6 +7,7 @@
 #include "support/kinetic_scenes.h"
 #include "trace/kinetic.h"
 #include "trace/kinetic_edge.h"
+#include "trace/silhouette_filter.h"
 #include "trace/silhouette_passages.h"
 
 namespace overfly {
@@ -89,10 +90,20 @@ TEST_F(KineticParts, NoPassageIsMissed) {
     std::vector<ImageSample> samples(40);
     for (ImageSample& s : samples) s = {film(generator), 0.56 * film(generator), 0.0};
     std::size_t all = 0;
+    std::size_t guesses = 0;
     for (const NamedMotion& m : all_sorts_of_motions()) {
         const KineticPiece piece(kinetic_, m.piece, kPicture);
         const PieceStretch stretch = {&m.piece, 0.0, 1.0, m.piece.when};
-        const SilhouettePassages found = silhouette_passages(piece, stretch, samples);
+        SilhouettePassages found = silhouette_passages(piece, stretch, samples);
+        for (SilhouettePassage& p : found.in_order) {
+            const double guess_u = p.u;
+            const double doubt_u = p.doubt_u;
+            const bool is_guess = p.state == SilhouettePassage::State::Guess;
+            guesses += is_guess ? 1 : 0;
+            resolve(piece, samples[p.sample], p);
+            if (p.state == SilhouettePassage::State::None) continue;
+            EXPECT_LT(std::abs(p.u - guess_u), is_guess ? doubt_u : 1e-9) << m.name;
+        }
         std::vector<Facing> facing;
         for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) facing.push_back(piece.facing(t));
         for (std::uint32_t i = 0; i < samples.size(); ++i) {
@@ -107,7 +118,8 @@ TEST_F(KineticParts, NoPassageIsMissed) {
                     if (!(at.depth > 0.0 && at.along > 0.0 && at.along < 1.0)) continue;
                     ++all;
                     const bool is_known = std::ranges::any_of(found.in_order, [&](const SilhouettePassage& p) {
-                        return p.sample == i && p.half_edge == h && std::abs(p.u - u) < 1e-9;
+                        return p.state == SilhouettePassage::State::Exact && p.sample == i && p.half_edge == h &&
+                               std::abs(p.u - u) < 1e-9;
                     });
                     EXPECT_TRUE(is_known) << m.name << ", sample " << i << " edge " << h << " u " << u;
                 }
@@ -115,6 +127,38 @@ TEST_F(KineticParts, NoPassageIsMissed) {
         }
     }
     EXPECT_GT(all, 1'000U);
+    EXPECT_GT(guesses, 1'000U);
+}
+
+// What is said to be hidden is behind the triangle, corner by corner, or behind the camera, as long as a guess may be
+// off.
+TEST_F(KineticParts, WhatIsHiddenIsBehind) {
+    std::mt19937 generator(kSeed);
+    std::size_t hidden = 0;
+    for (const NamedMotion& m : all_sorts_of_motions()) {
+        const KineticPiece piece(kinetic_, m.piece, kPicture);
+        const auto depth = [&](VertexId v, double u) {
+            const Vector<Scene> ahead = cross(m.piece.right.at(u), m.piece.down.at(u));
+            return dot(ahead, mesh_.positions[v] - m.piece.origin_at(u));
+        };
+        std::uniform_int_distribution<TriangleId> any(0, static_cast<TriangleId>(mesh_.triangles.size()) - 1);
+        for (const Silhouette& s : piece.silhouettes()) {
+            const TriangleId t = any(generator);
+            const double middle_u = std::uniform_real_distribution<double>(0.01, 0.99)(generator);
+            if (!piece.hides(t, s, middle_u)) continue;
+            ++hidden;
+            const auto& owner = mesh_.triangles[s.half_edge / 4];
+            for (const double off : {-kGuessDoubt, 0.0F, kGuessDoubt}) {
+                const double u = middle_u + static_cast<double>(off);
+                const std::uint32_t side = s.half_edge % 4;
+                const auto edge = std::minmax({depth(owner[side], u), depth(owner[(side + 1) % 3], u)});
+                double furthest = 0.0;
+                for (const VertexId v : mesh_.triangles[t]) furthest = std::max(furthest, depth(v, u));
+                EXPECT_TRUE(edge.first > furthest || edge.second < 0.0) << m.name << ", seed " << kSeed;
+            }
+        }
+    }
+    EXPECT_GT(hidden, 1'000U);
 }
 
 }  // namespace

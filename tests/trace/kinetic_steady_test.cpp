@@ -2,9 +2,11 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 
+#include "core/parallel.h"
 #include "support/kinetic_scenes.h"
 #include "trace/kinetic.h"
 
@@ -61,14 +63,109 @@ TEST_F(KineticSteady, SamplesDoNotInfluenceEachOther) {
     }
 }
 
+// What is told of an exposure is the same to the bit whichever others are asked for after the first.
+TEST_F(KineticSteady, LaterExposuresDoNotInfluenceEarlierOnes) {
+    const std::vector<ImageSample> samples = random_samples(2000);
+    const TimeRange first = {0.0, 0.01};
+    const TimeRange one = {0.4, 0.5};
+    const auto within = [&](const SegmentLists& lists, std::size_t i) {
+        std::vector<VisibleSegment> inside;
+        for (const VisibleSegment& s : lists.of(i)) {
+            const TimeRange open = intersection(s.when, one);
+            if (open.duration_s() > 0.0) inside.push_back({s.triangle, open});
+        }
+        return inside;
+    };
+    for (const NamedMotion& m : all_sorts_of_motions()) {
+        const KineticPiece piece = tracer_.prepare(m.piece, kPicture);
+        const SegmentLists whole = trace(tracer_, piece, samples);
+        for (const std::vector<TimeRange>& exposures :
+             {std::vector{first, one}, std::vector{first, TimeRange{0.1, 0.2}, one},
+              std::vector{first, one, TimeRange{0.61, 0.75}}, std::vector{TimeRange{0.0, 0.7}}}) {
+            SegmentLists lists;
+            TraceCounters counters;
+            tracer_.trace(piece, samples, exposures, lists, counters);
+            int different = 0;
+            for (std::size_t i = 0; i < samples.size(); ++i) different += within(whole, i) == within(lists, i) ? 0 : 1;
+            EXPECT_EQ(different, 0) << m.name << ", seed " << kSeed;
+        }
+    }
+}
+
+// And whichever thread traces them, beside whichever others.
+TEST_F(KineticSteady, ThreadsAgree) {
+    const std::vector<ImageSample> samples = random_samples(4096);
+    constexpr std::size_t kTile = 256;
+    for (const NamedMotion& m : all_sorts_of_motions()) {
+        const KineticPiece piece = tracer_.prepare(m.piece, kPicture);
+        const auto by_threads = [&](int threads) {
+            const int before = thread_limit();
+            limit_threads(threads);
+            std::vector<SegmentLists> tiles(samples.size() / kTile);
+            parallel_for(tiles.size(), [&](std::size_t i) {
+                tiles[i] = trace(tracer_, piece, std::span(samples).subspan(i * kTile, kTile));
+            });
+            limit_threads(before);
+            return tiles;
+        };
+        const std::vector<SegmentLists> alone = by_threads(1);
+        const std::vector<SegmentLists> many = by_threads(4);
+        for (std::size_t i = 0; i < alone.size(); ++i) {
+            EXPECT_EQ(alone[i].ends, many[i].ends) << m.name;
+            EXPECT_EQ(alone[i].segments, many[i].segments) << m.name;
+        }
+    }
+}
+
+// A part of a piece as a piece.
+MotionPiece part_of(const MotionPiece& piece, double from_u, double to_u) {
+    const double span = to_u - from_u;
+    const auto part = [&](const QuadraticVector& q) {
+        return QuadraticVector{q.at(from_u), span * (q.c1 + 2.0 * from_u * q.c2), span * span * q.c2};
+    };
+    MotionPiece out = piece;
+    out.when = {piece.time_at(from_u), piece.time_at(to_u)};
+    out.origin = part(piece.origin);
+    out.right = part(piece.right);
+    out.down = part(piece.down);
+    out.view = part(piece.view);
+    return out;
+}
+
+// Samples that are carried from one piece to the next see what they see when they are set down anew, but for ties.
+TEST_F(KineticSteady, CarriedSamplesSeeTheSame) {
+    const std::vector<ImageSample> samples = random_samples(4000);
+    for (const NamedMotion& m : all_sorts_of_motions()) {
+        std::vector<TriangleId> seen(samples.size(), kNotKnown);
+        TraceCounters counters;
+        for (const auto& [from_u, to_u] : {std::pair{0.0, 0.4}, std::pair{0.4, 1.0}}) {
+            const MotionPiece motion = part_of(m.piece, from_u, to_u);
+            const KineticPiece piece = tracer_.prepare(motion, kPicture);
+            const SegmentLists anew = trace(tracer_, piece, samples);
+            SegmentLists carried;
+            tracer_.trace(piece, samples, seen, carried, counters);
+            std::size_t different = 0;
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                const auto a = anew.of(i);
+                const auto b = carried.of(i);
+                const auto is_same = [](const VisibleSegment& x, const VisibleSegment& y) {
+                    return x.triangle == y.triangle && std::abs(x.when.end_s - y.when.end_s) < 1e-5;
+                };
+                different += std::ranges::equal(a, b, is_same) ? 0 : 1;
+            }
+            EXPECT_LE(different, samples.size() / 1000) << m.name << ", seed " << kSeed;
+        }
+        EXPECT_LT(counters.restarts, samples.size() + samples.size() / 50) << m.name << ", seed " << kSeed;
+    }
+}
+
 // Every vector unit that this processor has gives the same answer to the bit.
 TEST_F(KineticSteady, VectorUnitsAgree) {
     const std::vector<ImageSample> samples = random_samples(2000);
     for (const NamedMotion& m : all_sorts_of_motions()) {
         const SegmentLists best = trace(tracer_, tracer_.prepare(m.piece, kPicture), samples);
-        for (const std::int64_t target : {HWY_AVX3, HWY_AVX2, HWY_SSE4, HWY_SSSE3, HWY_SCALAR}) {
-            hwy::SetSupportedTargetsForTest(0);
-            if ((hwy::SupportedTargets() & target) == 0) continue;
+        for (std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
+            const std::int64_t target = rest & -rest;
             hwy::SetSupportedTargetsForTest(target);
             hwy::GetChosenTarget().Update(hwy::SupportedTargets());
             const SegmentLists other = trace(tracer_, tracer_.prepare(m.piece, kPicture), samples);
