@@ -60,9 +60,10 @@ struct ImageDocument {
 
 struct SamplingDocument {
     TracerKind tracer = TracerKind::Interval;
-    int lines = 4;         // per pixel: continuous tracers
-    int samples = 64;      // per pixel: the discrete tracer
-    int mirror_depth = 1;  // how many mirrors a ray is followed through, one after another
+    int lines = 4;          // per pixel: continuous tracers
+    double drift_px = 8.0;  // how far a line moves over the picture during an exposure; 0: not at all
+    int samples = 64;       // per pixel: the discrete tracer
+    int mirror_depth = 1;   // how many mirrors a ray is followed through, one after another
 };
 
 struct OutputDocument {
@@ -97,6 +98,7 @@ struct ShotDocument {
     std::vector<BodyDocument> bodies;
     OutputDocument output;
     double motion_bound_px = 0.01;
+    double mesh_pixel_error = 0.5;  // 0: every sample
 };
 
 // A batch document lists shots.

@@ -43,6 +43,7 @@ void read_sampling(Section& section, SamplingDocument& sampling) {
                                                           {"hybrid", TracerKind::Hybrid}};
     section.read("tracer", sampling.tracer, kTracers);
     section.read("lines", sampling.lines, {1, 1024});
+    section.read("drift_px", sampling.drift_px, {0, 64});
     section.read("samples", sampling.samples, {1, 65536});
     section.read("mirror_depth", sampling.mirror_depth, {0, 8});
 }
@@ -92,6 +93,7 @@ void read_shot(Section& document, ShotDocument& shot) {
     read_bodies(document, shot.bodies);
     document.section("output", [&](Section& s) { read_output(s, shot.output); });
     document.section("motion", [&](Section& s) { s.read("bound_px", shot.motion_bound_px, Range::above(0, 1)); });
+    document.section("mesh", [&](Section& s) { s.read("pixel_error", shot.mesh_pixel_error, {0, 100}); });
 }
 
 }  // namespace config

@@ -8,14 +8,31 @@
 
 namespace overfly {
 
+// Calls with_stretch(segment, TimeRange) for every stretch of `open` in which one of the segments is seen, and with
+// nullptr for what lies between them; in time order. Segments as below; `open` may have no duration.
+template <class Segment, class WithStretch>
+void for_each_stretch(std::span<const Segment> segments, TimeRange open, const WithStretch& with_stretch) {
+    const Segment* const none = nullptr;
+    double reached_s = open.begin_s;
+    for (const Segment& s : segments) {
+        const TimeRange seen = intersection(s.when, open);
+        if (seen.duration_s() <= 0.0) continue;
+        if (seen.begin_s > reached_s) with_stretch(none, TimeRange{reached_s, seen.begin_s});
+        with_stretch(&s, seen);
+        reached_s = seen.end_s;
+    }
+    if (open.end_s > reached_s) with_stretch(none, TimeRange{reached_s, open.end_s});
+}
+
 // Integrates what one image sample sees over one exposure (design 3.5): every stretch of time has the weight that it
 // takes of the exposure, so visibility and coverage are exact in time; within a stretch radiance is smooth, and a Gauss
 // rule of as many points as the stretch is long for finds its mean.
 //
 // `segments` have a TimeRange `when`, are in time order and do not overlap; between them the sky is seen. `window` is
-// the time that the segments speak of. Calls deposit(segment or nullptr, time_s, share) with shares of the whole
-// exposure that add up to the part of it inside the window; an exposure of no duration counts wholly if the window, end
-// excluded, has it. A segment of no duration stands for the whole exposure that it lies in.
+// the time that the segments speak of. Calls deposit(segment or nullptr, time_s, share, part) with shares of the whole
+// exposure that add up to the part of it inside the window; `part` is the time that time_s stands for, for whoever
+// knows its mean better: a share of the stretch, whose parts follow each other. An exposure of no duration counts
+// wholly if the window, end excluded, has it. A segment of no duration stands for the whole exposure that it lies in.
 template <class Segment, class Deposit>
 void integrate(std::span<const Segment> segments, TimeRange window, TimeRange exposure, const Deposit& deposit);
 
@@ -40,11 +57,13 @@ inline constexpr double kThreePointShare = 0.9;
 template <class Segment, class Deposit>
 void deposit_stretch(const Segment* segment, TimeRange stretch, double exposure_s, const Deposit& deposit) {
     const double share = stretch.duration_s() / exposure_s;
-    if (share <= 0.0) return;
     const GaussRule& rule = kGaussRules[share < kTwoPointShare ? 0 : share < kThreePointShare ? 1 : 2];
+    double begin_s = stretch.begin_s;
     for (std::size_t i = 0; i < rule.points; ++i) {
         const double time_s = stretch.centre_s() + 0.5 * stretch.duration_s() * rule.place[i];
-        deposit(segment, time_s, share * rule.weight[i]);
+        const double end_s = i + 1 == rule.points ? stretch.end_s : begin_s + stretch.duration_s() * rule.weight[i];
+        deposit(segment, time_s, share * rule.weight[i], TimeRange{begin_s, end_s});
+        begin_s = end_s;
     }
 }
 
@@ -57,21 +76,15 @@ void integrate(std::span<const Segment> segments, TimeRange window, TimeRange ex
         const double t = exposure.begin_s;
         if (t < window.begin_s || t >= window.end_s) return;
         for (const Segment& s : segments) {
-            if (s.when.contains(t)) return deposit(&s, t, 1.0);
+            if (s.when.contains(t)) return deposit(&s, t, 1.0, exposure);
         }
-        return deposit(none, t, 1.0);
+        return deposit(none, t, 1.0, exposure);
     }
     const TimeRange open = intersection(window, exposure);
     if (open.duration_s() <= 0.0) return;
-    double reached_s = open.begin_s;
-    for (const Segment& s : segments) {
-        const TimeRange seen = intersection(s.when, open);
-        if (seen.duration_s() <= 0.0) continue;
-        detail::deposit_stretch(none, {reached_s, seen.begin_s}, exposure.duration_s(), deposit);
-        detail::deposit_stretch(&s, seen, exposure.duration_s(), deposit);
-        reached_s = seen.end_s;
-    }
-    detail::deposit_stretch(none, {reached_s, open.end_s}, exposure.duration_s(), deposit);
+    for_each_stretch(segments, open, [&](const Segment* segment, TimeRange stretch) {
+        detail::deposit_stretch(segment, stretch, exposure.duration_s(), deposit);
+    });
 }
 
 // The same for a tracer that saw instants only: each stands for the whole exposure that it lies in. Exposures are in

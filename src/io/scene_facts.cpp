@@ -95,6 +95,7 @@ template <class Visitor, class Scene>
 void visit(Visitor& field, Scene& scene) {
     field(scene.content_hash);
     field(scene.origin.lon), field(scene.origin.lat), field(scene.origin.height_m);
+    field(scene.largest_error_px);
     auto& r = scene.report;
     field(r.files), field(r.driver), field(r.crs_name), field(r.crs_authority);
     field(r.columns), field(r.rows), field(r.column_spacing), field(r.row_spacing), field(r.spacing_unit);

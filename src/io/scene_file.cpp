@@ -19,22 +19,23 @@
 namespace overfly {
 namespace {
 
-// The file: a head, the facts, then the mesh's four arrays as they lie in memory (little-endian, no padding).
+// The file: a head, the facts, then the mesh's five arrays as they lie in memory (little-endian, no padding).
 struct Head {
     std::array<char, 12> magic = {'o', 'v', 'e', 'r', 'f', 'l', 'y', ' ', 's', 'c', 'n', '\n'};
-    std::uint32_t version = 1;  // raise it with every change of the layout, or of what a mesh means
+    std::uint32_t version = 2;  // raise it with every change of the layout, or of what a mesh means
     std::uint64_t facts_size = 0, vertex_count = 0, triangle_count = 0;
     Sha256Digest facts_digest{}, mesh_digest{};
 };
 static_assert(sizeof(Head) == 16 + 3 * 8 + 2 * 32);
-static_assert(sizeof(Point<Scene>) == 24 && sizeof(std::array<std::uint32_t, 3>) == 12);
+static_assert(sizeof(Point<Scene>) == 24 && sizeof(GridPlace) == 8 && sizeof(std::array<std::uint32_t, 3>) == 12);
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 24;
 
-using Arrays = std::array<std::span<const std::byte>, 4>;
+using Arrays = std::array<std::span<const std::byte>, 5>;
 Arrays arrays(const TerrainMesh& mesh) {
     return {std::as_bytes(std::span(mesh.positions)), std::as_bytes(std::span(mesh.elevation_m)),
-            std::as_bytes(std::span(mesh.triangles)), std::as_bytes(std::span(mesh.twins))};
+            std::as_bytes(std::span(mesh.samples)), std::as_bytes(std::span(mesh.triangles)),
+            std::as_bytes(std::span(mesh.twins))};
 }
 
 // A piece of one array, and where it begins in the file.
@@ -56,7 +57,8 @@ std::vector<Chunk> chunks(const TerrainMesh& mesh, std::uint64_t file_offset) {
 }
 
 std::uint64_t file_size(const Head& head) {
-    return sizeof(Head) + head.facts_size + head.vertex_count * (sizeof(Point<Scene>) + sizeof(float)) +
+    return sizeof(Head) + head.facts_size +
+           head.vertex_count * (sizeof(Point<Scene>) + sizeof(float) + sizeof(GridPlace)) +
            head.triangle_count * (sizeof(TerrainMesh::triangles[0]) + sizeof(TerrainMesh::twins[0]));
 }
 
@@ -133,6 +135,7 @@ std::optional<PreparedScene> load_scene(const std::filesystem::path& file) {
     if (!head) return std::nullopt;
     scene.mesh.positions.resize(head->vertex_count);
     scene.mesh.elevation_m.resize(head->vertex_count);
+    scene.mesh.samples.resize(head->vertex_count);
     scene.mesh.triangles.resize(head->triangle_count);
     scene.mesh.twins.resize(head->triangle_count);
 

@@ -16,6 +16,7 @@ struct PreparedScene {
     Geodetic origin;
     ElevationReport report;
     TerrainMesh mesh;
+    double largest_error_px = 0.0;  // of a mesh that was made for a flight (largest_mesh_error_px); 0 with all samples
 
     friend bool operator==(const PreparedScene&, const PreparedScene&) = default;
 };

@@ -36,6 +36,7 @@ class Refinement {
     }
 
     [[nodiscard]] int squares() const { return squares_across_ * squares_down_; }
+    [[nodiscard]] bool is_split(LatticePoint p) const { return is_inside(p) && is_split_[index(p)] != 0; }
 
     // Calls leaf(triangle) for every triangle of a square that isn't halved.
     template <class Leaf>
@@ -55,7 +56,6 @@ class Refinement {
     [[nodiscard]] std::size_t index(LatticePoint p) const {
         return static_cast<std::size_t>(p.row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(p.column);
     }
-    [[nodiscard]] bool is_split(LatticePoint p) const { return is_inside(p) && is_split_[index(p)] != 0; }
 
     // The diagonal that halves a square of half side h around `middle` runs to the middle of the square of twice the
     // side, whose coordinates are odd multiples of 2 h.
@@ -128,64 +128,63 @@ class Refinement {
 
 using Corners = std::array<LatticePoint, 3>;
 
+bool is_half_cell(const LatticeTriangle& t) {
+    const LatticePoint leg = t.a - t.c;
+    return leg.column * leg.column + leg.row * leg.row == 1;
+}
+
 // The triangles of one square whose corners were measured, all run around the same way.
 std::vector<Corners> measured_triangles(const SampleLattice& lattice, const Refinement& refinement, int square) {
     std::vector<Corners> out;
     refinement.each_leaf(square, [&](const LatticeTriangle& t) {
         const bool a = lattice.is_valid(t.a), b = lattice.is_valid(t.b), c = lattice.is_valid(t.c);
+        const LatticePoint opposite = t.a + t.b - t.c;
+        const bool is_upper = t.c.row < opposite.row;
         if (a && b && c) {
-            out.push_back({t.a, t.b, t.c});
+            // The other half is a triangle of its own if the refinement came to its corner.
+            const bool is_whole = is_half_cell(t) && lattice.is_valid(opposite) && refinement.is_split(opposite);
+            if (!is_whole || lattice.has_diagonal(t.a, t.b)) {
+                out.push_back({t.a, t.b, t.c});
+            } else if (is_upper) {
+                out.push_back({t.a, opposite, t.c});
+                out.push_back({t.b, t.c, opposite});
+            }
             return;
         }
         // One masked end of a cell's diagonal: the cell's other corners make a triangle, which one of its halves adds.
-        const LatticePoint opposite = t.a + t.b - t.c;
         const bool is_one_end = a != b && c && lattice.is_valid(opposite);
-        if (!is_one_end || t.c.row > opposite.row) return;
+        if (!is_one_end || !is_upper) return;
         if (a) out.push_back({t.a, opposite, t.c});
         if (b) out.push_back({t.b, t.c, opposite});
     });
     return out;
 }
 
-class MeshBuilder {
-  public:
-    MeshBuilder(const ElevationModel& model, const SampleLattice& lattice) : model_(&model), lattice_(&lattice) {}
-
-    [[nodiscard]] TerrainMesh build(const std::vector<std::vector<Corners>>& squares) {
-        number_vertices(squares);
-        for (const auto& triangles : squares) {
-            for (const Corners& t : triangles) mesh_.triangles.push_back({id(t[0]), id(t[1]), id(t[2])});
-        }
-        return std::move(mesh_);
-    }
-
-  private:
-    [[nodiscard]] VertexId id(LatticePoint p) const { return vertex_[lattice_->index(p)]; }
-
-    void number_vertices(const std::vector<std::vector<Corners>>& squares) {
-        constexpr VertexId kUsed = 0;
-        vertex_.assign(model_->size(), kNone);
-        for (const auto& triangles : squares) {
-            for (const Corners& t : triangles) {
-                for (const LatticePoint& p : t) vertex_[lattice_->index(p)] = kUsed;
-            }
-        }
-        for (int row = 0; row < model_->rows; ++row) {
-            for (int column = 0; column < model_->columns; ++column) {
-                VertexId& v = vertex_[lattice_->index({column, row})];
-                if (v == kNone) continue;
-                v = static_cast<VertexId>(mesh_.positions.size());
-                mesh_.positions.push_back(lattice_->position({column, row}));
-                mesh_.elevation_m.push_back(model_->height_m[lattice_->index({column, row})]);
-            }
+// Vertices in the order of the full mesh.
+TerrainMesh join(const TerrainMesh& full, const SampleLattice& lattice,
+                 const std::vector<std::vector<Corners>>& squares) {
+    TerrainMesh mesh;
+    for (const auto& triangles : squares) {
+        for (const Corners& t : triangles) {
+            mesh.triangles.push_back({lattice.vertex(t[0]), lattice.vertex(t[1]), lattice.vertex(t[2])});
         }
     }
-
-    const ElevationModel* model_;
-    const SampleLattice* lattice_;
-    std::vector<VertexId> vertex_;  // by sample
-    TerrainMesh mesh_;
-};
+    std::vector<VertexId> number(full.positions.size(), kNone);
+    for (const auto& t : mesh.triangles) {
+        for (const VertexId v : t) number[v] = 0;
+    }
+    for (std::size_t v = 0; v < number.size(); ++v) {
+        if (number[v] == kNone) continue;
+        number[v] = static_cast<VertexId>(mesh.positions.size());
+        mesh.positions.push_back(full.positions[v]);
+        mesh.elevation_m.push_back(full.elevation_m[v]);
+        mesh.samples.push_back(full.samples[v]);
+    }
+    for (auto& t : mesh.triangles) {
+        for (VertexId& v : t) v = number[v];
+    }
+    return mesh;
+}
 
 // Turns all triangles over if they run clockwise seen from above: heights are a function of the place, so every
 // triangle with an area tells the same.
@@ -204,16 +203,15 @@ void turn_upward(TerrainMesh& mesh, const SceneFrame& frame) {
 
 }  // namespace
 
-TerrainMesh triangulate_within(const ElevationModel& model, const SceneFrame& frame, const LocateRow& locate,
-                               const AllowedError& allowed_m) {
-    check(model.columns >= 2 && model.rows >= 2, "triangulate_within: at least 2x2 samples");
-    const SampleLattice lattice(model, frame, locate, allowed_m);
+TerrainMesh triangulate_within(const TerrainMesh& full, const SceneFrame& frame, const AllowedError& allowed_m) {
+    const SampleLattice lattice(full, frame, allowed_m);
+    check(lattice.columns() >= 2 && lattice.rows() >= 2, "triangulate_within: at least one cell");
     const Refinement refinement(lattice);
     std::vector<std::vector<Corners>> squares(static_cast<std::size_t>(refinement.squares()));
     parallel_for(squares.size(), [&](std::size_t square) {
         squares[square] = measured_triangles(lattice, refinement, static_cast<int>(square));
     });
-    TerrainMesh mesh = MeshBuilder(model, lattice).build(squares);
+    TerrainMesh mesh = join(full, lattice, squares);
     turn_upward(mesh, frame);
     connect_triangles(mesh);
     return mesh;

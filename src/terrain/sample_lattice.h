@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "terrain/flight_mesh.h"
+#include "terrain/sample_grid.h"
 
 namespace overfly {
 
@@ -26,42 +26,49 @@ struct LatticeTriangle {
     LatticePoint a, b, c;
 };
 
-// The samples of a model where they are, and the error that is allowed there.
+// The samples of a full mesh where they are, and the error that is allowed there.
 class SampleLattice {
   public:
-    SampleLattice(const ElevationModel& model, const SceneFrame& frame, const LocateRow& locate,
-                  const AllowedError& allowed_m);
+    // The mesh must outlive it.
+    SampleLattice(const TerrainMesh& full, const SceneFrame& frame, const AllowedError& allowed_m);
 
-    [[nodiscard]] int columns() const { return columns_; }
-    [[nodiscard]] int rows() const { return rows_; }
+    [[nodiscard]] int columns() const { return grid_.columns; }
+    [[nodiscard]] int rows() const { return grid_.rows; }
     [[nodiscard]] bool is_valid(LatticePoint p) const {
-        return p.column >= 0 && p.row >= 0 && p.column < columns_ && p.row < rows_ && is_valid_[index(p)] != 0;
+        return p.column >= 0 && p.row >= 0 && p.column < grid_.columns && p.row < grid_.rows && vertex(p) != kNone;
     }
-    [[nodiscard]] std::size_t index(LatticePoint p) const {
-        return static_cast<std::size_t>(p.row) * static_cast<std::size_t>(columns_) +
-               static_cast<std::size_t>(p.column);
-    }
-    // REQUIRES: is_valid(p).
-    [[nodiscard]] Point<Scene> position(LatticePoint p) const { return positions_[index(p)]; }
+    // In the full mesh. REQUIRES: p is in the grid.
+    [[nodiscard]] VertexId vertex(LatticePoint p) const { return grid_.vertex[grid_.index(p.column, p.row)]; }
+    // Whether the full mesh has a side along the diagonal of a cell from a to b. REQUIRES: all of its corners are
+    // valid.
+    [[nodiscard]] bool has_diagonal(LatticePoint a, LatticePoint b) const;
 
-    // Whether the triangle may stand for all of its samples: none is farther from it than is allowed, or none was
-    // measured. A triangle that has both kinds may not.
+    // Whether the triangle may stand for all of the full mesh that it lies over: nothing of that is farther from it
+    // than is allowed, or nothing was measured. A triangle that has both kinds may not.
     [[nodiscard]] bool fits(const LatticeTriangle& t) const;
 
   private:
     static constexpr int kBlock = 16;
 
-    void allow(const AllowedError& allowed_m);
-    [[nodiscard]] double allowed_m_at(LatticePoint p) const {
-        return allowed_m_[static_cast<std::size_t>(p.row / kBlock) * blocks_ +
-                          static_cast<std::size_t>(p.column / kBlock)];
-    }
+    struct Block {
+        double allowed_m = 0.0;
+        Vector<Scene> up;
+    };
+    class Plane;
 
-    int columns_, rows_;
-    std::size_t blocks_;  // in a row of blocks
-    const std::vector<std::uint8_t>& is_valid_;
-    std::vector<Point<Scene>> positions_;
-    std::vector<double> allowed_m_;  // by block
+    [[nodiscard]] Point<Scene> position(LatticePoint p) const { return full_->positions[vertex(p)]; }
+    [[nodiscard]] Block make_block(LatticePoint first, const SceneFrame& frame, const AllowedError& allowed_m) const;
+    [[nodiscard]] const Block& block_of(LatticePoint p) const {
+        return blocks_[static_cast<std::size_t>(p.row / kBlock) * blocks_across_ +
+                       static_cast<std::size_t>(p.column / kBlock)];
+    }
+    [[nodiscard]] bool samples_fit(const LatticeTriangle& t, const Plane* plane) const;
+    [[nodiscard]] bool side_fits(LatticePoint from, LatticePoint to, const Plane& plane) const;
+
+    const TerrainMesh* full_;
+    SampleGrid grid_;
+    std::size_t blocks_across_;
+    std::vector<Block> blocks_;
 };
 
 }  // namespace overfly

@@ -115,6 +115,7 @@ void GridTriangulation::place_vertices() {
     const std::vector<std::uint32_t> first = first_of_rows(counts);
     mesh_.positions.resize(first.back());
     mesh_.elevation_m.resize(first.back());
+    mesh_.samples.resize(first.back());
     parallel_for(rows_, [&](std::size_t row) {
         if (counts[row] == 0) return;
         std::vector<Geodetic> places(columns_);
@@ -125,6 +126,7 @@ void GridTriangulation::place_vertices() {
             v += first[row];
             mesh_.positions[v] = frame_.scene(places[column]);
             mesh_.elevation_m[v] = model_.height_m[row * columns_ + column];
+            mesh_.samples[v] = {static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
         }
     });
 }

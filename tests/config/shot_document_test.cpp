@@ -40,6 +40,7 @@ TEST(ReadShotDocument, ReadsEveryKey) {
     EXPECT_FALSE(shot.output.contact_sheet);
     EXPECT_FALSE(shot.output.movie);
     EXPECT_EQ(shot.motion_bound_px, 0.05);
+    EXPECT_EQ(shot.mesh_pixel_error, 0.25);
 }
 
 TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
@@ -59,6 +60,7 @@ TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
     EXPECT_EQ(shot.output.folder, "out/smallest_shot");
     EXPECT_EQ(shot.output.name, "smallest_shot");
     EXPECT_EQ(shot.motion_bound_px, 0.01);
+    EXPECT_EQ(shot.mesh_pixel_error, 0.5);
 }
 
 TEST(ReadShotDocument, TakesAnEmptySectionForOneOfDefaults) {

@@ -24,6 +24,8 @@ PreparedScene small_scene() {
     scene.report.extent = {1, 2, 3, 4};
     scene.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}, {1, 1, 0.2}};
     scene.mesh.elevation_m = {1, 2, 3, 4};
+    scene.mesh.samples = {{0, 1}, {1, 1}, {0, 0}, {1, 0}};
+    scene.largest_error_px = 0.25;
     scene.mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
     scene.mesh.twins = {{kNone, 6, kNone}, {kNone, kNone, 1}};
     return scene;

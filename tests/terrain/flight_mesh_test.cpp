@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -28,7 +29,7 @@ ElevationModel hilly(int columns, int rows) {
 }
 
 TerrainMesh within(const ElevationModel& model, const AllowedError& allowed_m, const Grid& grid = {}) {
-    return triangulate_within(model, frame_at(grid), locate_in(grid, model), allowed_m);
+    return triangulate_within(triangulate(model, frame_at(grid), locate_in(grid, model)), frame_at(grid), allowed_m);
 }
 
 AllowedError everywhere(double error_m) {
@@ -93,6 +94,31 @@ TEST(FlightMesh, WithoutAllowanceHasEverySample) {
     const TerrainMesh mesh = within(model, everywhere(0.0));
     EXPECT_EQ(mesh.positions.size(), model.size());
     EXPECT_EQ(mesh.triangles.size(), 2U * 69U * 40U);
+}
+
+// Ground like an egg box: samples of all kinds fit a coarse triangle, the middles of the cells between them don't.
+TEST(FlightMesh, SplitsCellsAsTheFullMeshDoes) {
+    ElevationModel model = flat(33, 33);
+    for (int row = 0; row < 33; ++row) {
+        for (int column = 0; column < 33; ++column) {
+            model.height_m[model.index(column, row)] = (column + row) % 2 == 0 ? 100.0F : 130.0F;
+        }
+    }
+    const auto sides = [](const TerrainMesh& mesh) {
+        std::vector<std::array<int, 4>> all;
+        for (const auto& t : mesh.triangles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const GridPlace a = mesh.samples[t[k]], b = mesh.samples[t[(k + 1) % 3]];
+                if (a.column < b.column) all.push_back({a.column, a.row, b.column, b.row});
+            }
+        }
+        std::ranges::sort(all);
+        return all;
+    };
+    const TerrainMesh full = triangulate(model, frame_at({}), locate_in({}, model));
+    EXPECT_EQ(sides(within(model, everywhere(5.0))), sides(full));
+    // Cells between heights of 100, 130, 100 and 130 m: by 15 m either way they are the same.
+    EXPECT_LT(within(model, everywhere(31.0)).triangles.size(), full.triangles.size() / 4);
 }
 
 TEST(FlightMesh, HasNoCracks) {
@@ -173,8 +199,7 @@ TEST(FlightMesh, IsTheSameForAnyNumberOfThreads) {
 TEST(FlightMesh, RunsAnticlockwiseInRastersOfEitherHandedness) {
     const ElevationModel model = hilly(50, 60);
     const Grid northward = {10.0, 45.0, 0.001, 0.001};
-    const TerrainMesh mesh =
-        triangulate_within(model, frame_at(northward), locate_in(northward, model), everywhere(2.0));
+    const TerrainMesh mesh = within(model, everywhere(2.0), northward);
     EXPECT_EQ(broken_mesh_law(mesh, frame_at(northward)), "");
 }
 
