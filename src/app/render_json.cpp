@@ -26,11 +26,17 @@ nlohmann::ordered_json render_json(const RenderResult& r) {
             {"movie", r.previews.movie.string()},
             {"seconds",
              {{"prepare", r.prepare_s},
+              {"mesh", r.mesh.seconds},
               {"light", r.light_s},
               {"trace_and_shade", r.trace_s},
               {"write", r.write_s},
               {"preview", r.preview_s},
               {"total", r.total_s}}},
+            {"mesh",
+             {{"triangles_before", r.mesh.triangles_before},
+              {"triangles", r.mesh.triangles},
+              {"largest_error_px", r.mesh.largest_error_px},
+              {"from_cache", r.mesh.from_cache}}},
             {"motion", {{"pieces", r.motion_pieces}, {"largest_error_px", r.motion_error_px}}},
             {"tracer", counters_json(r.counters)}};
 }

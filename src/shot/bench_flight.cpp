@@ -5,6 +5,7 @@
 #include <span>
 
 #include "shot/expose_piece.h"
+#include "shot/flight_scene.h"
 #include "shot/processor_time.h"
 #include "shot/shot_motion.h"
 #include "shot/stage.h"
@@ -62,10 +63,11 @@ std::vector<MotionPiece> some_pieces(const Motion& motion) {
 }  // namespace
 
 BenchResult bench_flight(const ShotDocument& shot, const BenchOptions& options) {
-    const Stage stage(prepare_terrain(shot.terrain, options.cache_folder, options.progress), middle_of(shot.flight));
+    Stage stage(prepare_terrain(shot.terrain, options.cache_folder, options.progress), middle_of(shot.flight));
     const CameraPath path = make_path(shot.flight, stage);
     const std::vector<PlannedFrame> frames = plan_frames(shot, path.times());
     const Motion motion = shot_motion(shot, path, frames, stage);
+    fit_mesh_to_flight(stage, shot, path, options.cache_folder, options.progress);
     const DiscreteTracer discrete(stage.rays());
     const IntervalTracer interval(stage.mesh());
     BenchResult result;

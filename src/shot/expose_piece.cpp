@@ -4,6 +4,8 @@
 
 #include "core/parallel.h"
 #include "film/integrate.h"
+#include "shot/drift_exposure.h"
+#include "shot/light_deposits.h"
 
 namespace overfly {
 namespace {
@@ -40,12 +42,15 @@ class TileExposure {
     void follow(const TileSamples& lines, TraceCounters& counters) const {
         SurfaceSegmentLists lists;
         exposing_->tracers.continuous->trace(prepared_lines_, lines.samples, exposures_, lists, counters);
+        LightDeposits deposits(exposing_->shader, *piece_, films_);
+        const double weight = 1.0 / exposing_->tracers.lines;
         for (std::size_t i = 0; i < lines.samples.size(); ++i) {
-            const Deposit deposit = {this, &lines.samples[i], lists.reflected, lines.pixels[i],
-                                     1.0 / exposing_->tracers.lines};
+            const ImageSample& line = lines.samples[i];
             for (std::size_t e = 0; e < exposures_.size(); ++e) {
-                const auto stretch = [&](const SurfaceSegment* s, double t, double share) { deposit(e, s, t, share); };
-                integrate(lists.of(i), piece_->when, exposures_[e], stretch);
+                const auto deposit = [&](const SurfaceSegment* s, double t, double share, TimeRange part) {
+                    deposits.add(e, lines.pixels[i], share * weight, {{line.x, line.y, s, lists.reflected}, t, part});
+                };
+                integrate(lists.of(i), piece_->when, exposures_[e], deposit);
             }
         }
     }
@@ -55,11 +60,13 @@ class TileExposure {
         const TileSamples tiled = samples_of(tile, exposing_->size, exposing_->tracers.samples);
         SurfaceSegmentLists lists;
         exposing_->tracers.discrete->trace(prepared_samples_, tiled.samples, sampled, lists, counters);
+        LightDeposits deposits(exposing_->shader, *piece_, films_);
+        const double weight = 1.0 / exposing_->tracers.samples;
         for (std::size_t i = 0; i < tiled.samples.size(); ++i) {
-            const Deposit deposit = {this, &tiled.samples[i], lists.reflected, tiled.pixels[i],
-                                     1.0 / exposing_->tracers.samples};
+            const ImageSample& sample = tiled.samples[i];
             integrate_instants(lists.of(i), sampled, [&](const SurfaceSegment& s, std::size_t e, double t) {
-                deposit(e, &s, t, share_of(sampled[e], exposures_[e]));
+                deposits.add(e, tiled.pixels[i], share_of(sampled[e], exposures_[e]) * weight,
+                             {{sample.x, sample.y, &s, lists.reflected}, t, {}});
             });
         }
     }
@@ -68,21 +75,6 @@ class TileExposure {
         return exposure.duration_s() > 0.0 ? part.duration_s() / exposure.duration_s() : 1.0;
     }
 
-    // Adds what one sample sees at a time to its pixel.
-    struct Deposit {
-        const TileExposure* tile;
-        const ImageSample* sample;
-        std::span<const SurfaceSegment> reflected;
-        std::uint32_t pixel;
-        double weight;  // of the sample in its pixel
-
-        void operator()(std::size_t exposure, const SurfaceSegment* seen, double time_s, double share) const {
-            const SceneShader::Sighting sighting = {sample->x, sample->y, seen, reflected};
-            tile->films_[exposure]->add(pixel, static_cast<float>(share * weight),
-                                        tile->exposing_->shader.radiance(*tile->piece_, sighting, time_s));
-        }
-    };
-
     const Exposing* exposing_;
     const MotionPiece* piece_;
     std::span<const TimeRange> exposures_;
@@ -90,6 +82,44 @@ class TileExposure {
     std::vector<TimeRange> planned_;
     PreparedSight prepared_lines_, prepared_samples_;
 };
+
+}  // namespace
+
+namespace {
+
+template <class Run>
+void run_tiles(const Exposing& exposing, std::span<const PixelTile> tiles, const Run& run, TraceCounters& counters,
+               const PieceProgress& progress) {
+    std::mutex mutex;
+    std::size_t done = 0;
+    parallel_for(tiles.size(), [&](std::size_t i) {
+        if (exposing.wanted && !exposing.wanted(tiles[i].left, tiles[i].top)) return;
+        if (exposing.should_stop && exposing.should_stop()) throw Interrupted();
+        TraceCounters of_tile;
+        run(i, of_tile);
+        const std::scoped_lock lock(mutex);
+        counters += of_tile;
+        ++done;
+        if (progress) progress(static_cast<double>(done) / static_cast<double>(tiles.size()));
+    });
+}
+
+// Frames without exposure time are swept one by one, others all at once.
+void expose_drifting(const Exposing& exposing, const MotionPiece& piece, std::span<const TimeRange> exposures,
+                     std::span<FilmFrame* const> films, TraceCounters& counters, const PieceProgress& progress) {
+    const bool is_instant = exposures.front().duration_s() == 0.0;
+    const std::size_t together = is_instant ? 1 : exposures.size();
+    for (std::size_t first = 0; first < exposures.size(); first += together) {
+        const DriftExposure exposure(exposing, piece, exposures.subspan(first, together),
+                                     films.subspan(first, together));
+        const auto run = [&](std::size_t i, TraceCounters& of_tile) { exposure.run(i, of_tile); };
+        const auto part_done = [&](double share) {
+            const double parts = static_cast<double>(exposures.size()) / static_cast<double>(together);
+            if (progress) progress((static_cast<double>(first) / static_cast<double>(together) + share) / parts);
+        };
+        run_tiles(exposing, exposure.tiles(), run, counters, part_done);
+    }
+}
 
 }  // namespace
 
@@ -104,19 +134,11 @@ void expose_piece(const Exposing& exposing, const MotionPiece& piece, std::span<
                   std::span<FilmFrame* const> films, TraceCounters& counters, const PieceProgress& progress) {
     std::vector<TimeRange> exposures;
     for (const PlannedFrame& f : frames) exposures.push_back(f.exposure);
+    if (exposing.tracers.drift_px > 0.0) return expose_drifting(exposing, piece, exposures, films, counters, progress);
     const TileExposure exposure(exposing, piece, exposures, films);
     const std::vector<PixelTile> tiles = tiles_of(exposing.size);
-    std::mutex mutex;
-    std::size_t done = 0;
-    parallel_for(tiles.size(), [&](std::size_t i) {
-        if (exposing.should_stop && exposing.should_stop()) throw Interrupted();
-        TraceCounters tile_counters;
-        exposure.run(tiles[i], tile_counters);
-        const std::scoped_lock lock(mutex);
-        counters += tile_counters;
-        ++done;
-        if (progress) progress(static_cast<double>(done) / static_cast<double>(tiles.size()));
-    });
+    const auto run = [&](std::size_t i, TraceCounters& of_tile) { exposure.run(tiles[i], of_tile); };
+    run_tiles(exposing, tiles, run, counters, progress);
 }
 
 }  // namespace overfly

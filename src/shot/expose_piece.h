@@ -15,15 +15,19 @@
 
 namespace overfly {
 
+// Which parts of a picture are wanted, by a pixel in them. The same for all pixels of a drift tile (drift_exposure.h).
+using WantedTile = std::function<bool(int x, int y)>;
+
 // What exposing film takes.
 struct Exposing {
     TracerPair tracers;
     const SceneShader& shader;
     PictureSize size;
     ShouldStop should_stop;
-    // All frames of the shot, asked for or not: what the hybrid chooses by, so that it chooses the same whichever are
-    // asked for.
+    // All frames of the shot, asked for or not: what the hybrid chooses by, and from which the speed of lines that
+    // drift is reckoned, so that both are the same to the bit whichever are asked for.
     std::span<const PlannedFrame> planned{};
+    WantedTile wanted{};  // empty: all of the picture
 };
 
 // Told after each tile of a piece: which share of it is done.

@@ -11,12 +11,11 @@ constexpr int kBlockSide_px = 4;  // of a packet of sixteen rays
 
 }  // namespace
 
-std::vector<PixelTile> tiles_of(PictureSize size) {
+std::vector<PixelTile> tiles_of(PictureSize size, int side_px) {
     std::vector<PixelTile> tiles;
-    for (int top = 0; top < size.height; top += kTileSide_px) {
-        for (int left = 0; left < size.width; left += kTileSide_px) {
-            tiles.push_back(
-                {left, top, std::min(left + kTileSide_px, size.width), std::min(top + kTileSide_px, size.height)});
+    for (int top = 0; top < size.height; top += side_px) {
+        for (int left = 0; left < size.width; left += side_px) {
+            tiles.push_back({left, top, std::min(left + side_px, size.width), std::min(top + side_px, size.height)});
         }
     }
     return tiles;

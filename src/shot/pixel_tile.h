@@ -24,7 +24,7 @@ struct PixelTile {
 };
 inline constexpr int kTileSide_px = 16;
 
-[[nodiscard]] std::vector<PixelTile> tiles_of(PictureSize size);
+[[nodiscard]] std::vector<PixelTile> tiles_of(PictureSize size, int side_px = kTileSide_px);
 
 // The image samples of a tile, and the pixel of each. Four by four neighbouring pixels with the same sample number
 // follow each other, so that sixteen of them make a coherent packet.

@@ -8,6 +8,7 @@
 
 #include "config/frame_range.h"
 #include "core/error.h"
+#include "shot/flight_scene.h"
 #include "shot/shot_body.h"
 #include "shot/shot_motion.h"
 #include "shot/shot_sight.h"
@@ -126,10 +127,11 @@ PixelTimeline pixel_timeline(const ShotDocument& shot, const PixelQuestion& ques
     const Pixel pixel = pixel_of(question.pixel, out.picture);
     out.x_px = pixel.x;
     out.y_px = pixel.y;
-    const Stage stage(prepare_terrain(shot.terrain, question.cache_folder, question.progress), middle_of(shot.flight));
+    Stage stage(prepare_terrain(shot.terrain, question.cache_folder, question.progress), middle_of(shot.flight));
     const CameraPath path = make_path(shot.flight, stage);
     const std::vector<PlannedFrame> frames = plan_frames(shot, path.times());
     const ShotBodies bodies = make_bodies(shot, stage);
+    fit_mesh_to_flight(stage, shot, path, question.cache_folder, question.progress);
     const Sight sight = make_sight(shot, path, shot_motion(shot, path, frames, stage), {stage, bodies, kAnySun});
     const std::vector<TimelineSurface> surfaces = surfaces_of(stage, bodies, sight);
     out.surfaces = {"terrain"};

@@ -46,19 +46,6 @@ PreparedScene prepare(const ElevationSource& source, const Progress& progress) {
     return scene;
 }
 
-void try_to_save(const std::filesystem::path& file, const PreparedScene& scene) {
-    std::error_code error;
-    std::filesystem::create_directories(file.parent_path(), error);
-    if (error) return;
-    remove_abandoned_files(file.parent_path());
-    try {
-        save_scene(file, scene);
-    } catch (const UserError&) {
-        // Promised in the header: without a cache the work is done again next time.
-        return;
-    }
-}
-
 }  // namespace
 
 std::filesystem::path default_cache_folder() {
@@ -71,12 +58,29 @@ std::filesystem::path default_cache_folder() {
     return std::filesystem::temp_directory_path() / "overfly-cache";
 }
 
+std::filesystem::path cached_scene_file(const std::filesystem::path& cache_folder, const std::string& hash) {
+    return cache_folder / "scenes" / (hash + ".scene");
+}
+
+void try_to_save_scene(const std::filesystem::path& file, const PreparedScene& scene) {
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    if (error) return;
+    remove_abandoned_files(file.parent_path());
+    try {
+        save_scene(file, scene);
+    } catch (const UserError&) {
+        // Promised in the header: without a cache the work is done again next time.
+        return;
+    }
+}
+
 PreparedTerrain prepare_terrain(const TerrainDocument& document, const std::filesystem::path& cache_folder,
                                 const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<std::filesystem::path> inputs = elevation_inputs(document.source);
     const std::string hash = content_hash(inputs, settings_of(document.source));
-    const std::filesystem::path file = cache_folder / "scenes" / (hash + ".scene");
+    const std::filesystem::path file = cached_scene_file(cache_folder, hash);
     PreparedTerrain terrain;
     if (auto scene = load_scene(file); scene && scene->content_hash == hash) {
         terrain.scene = std::move(*scene);
@@ -85,7 +89,7 @@ PreparedTerrain prepare_terrain(const TerrainDocument& document, const std::file
     } else {
         terrain.scene = prepare(document.source, progress);
         terrain.scene.content_hash = hash;
-        try_to_save(file, terrain.scene);
+        try_to_save_scene(file, terrain.scene);
     }
     terrain.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return terrain;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "config/documents.h"
 #include "core/progress.h"
@@ -11,6 +12,12 @@ namespace overfly {
 // Where prepared scenes are kept between runs: $XDG_CACHE_HOME/overfly, else ~/.cache/overfly.
 [[nodiscard]] std::filesystem::path default_cache_folder();
 
+// Where in it the scene of a content hash is.
+[[nodiscard]] std::filesystem::path cached_scene_file(const std::filesystem::path& cache_folder,
+                                                      const std::string& hash);
+// A cache that can't be written is not an error: the scene is prepared each time.
+void try_to_save_scene(const std::filesystem::path& file, const PreparedScene& scene);
+
 struct PreparedTerrain {
     PreparedScene scene;
     bool from_cache = false;
@@ -18,8 +25,7 @@ struct PreparedTerrain {
 };
 
 // Elevation read, placed on the ellipsoid and meshed; or the same from the cache, if its inputs' contents and all that
-// the document says of them have not changed. The scene's origin is the middle of the raster, on the ellipsoid. A cache
-// that can't be written is not an error: the scene is prepared each time.
+// the document says of them have not changed. The scene's origin is the middle of the raster, on the ellipsoid.
 [[nodiscard]] PreparedTerrain prepare_terrain(const TerrainDocument& document,
                                               const std::filesystem::path& cache_folder, const Progress& progress = {});
 

@@ -169,7 +169,7 @@ std::vector<PlannedFrame> frames_to_render(Rendering& rendering, const std::vect
 
 // Everything that a shot is rendered from, ready.
 struct Scenery {
-    const Stage& stage;
+    Stage& stage;
     const CameraPath& path;
     const std::vector<PlannedFrame>& planned;  // all of the shot
     const ShotBodies& bodies;
@@ -177,12 +177,20 @@ struct Scenery {
     const Sight& sight;
 };
 
+void report_mesh(Rendering& rendering, const FlightMeshReport& mesh) {
+    rendering.result.mesh = mesh;
+    if (mesh.triangles == mesh.triangles_before) return;
+    rendering.say(fmt::format("mesh for the flight: {} of {} triangles, at most {:.2g} pixels off", mesh.triangles,
+                              mesh.triangles_before, mesh.largest_error_px));
+}
+
 void render_frames(Rendering& rendering, const Scenery& scenery, const std::vector<PlannedFrame>& frames,
                    const std::string& inputs) {
     const ShotDocument& shot = rendering.shot;
     const Stopwatch watch;
     const SceneLight light(shot, scenery.stage, scenery.daylight, rendering.options.progress);
     rendering.result.light_s = watch.seconds();
+    scenery.stage.drop_full_mesh();
     const SceneShader shader = light.shader(scenery.bodies);
     const ShotTracers tracers(shot, scenery.stage, scenery.bodies, scenery.sight);
     const Exposing exposing = {
@@ -217,7 +225,7 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
     const RenderOptions options = stoppable(asked);
     Rendering rendering{shot, options};
     RenderResult& result = rendering.result;
-    const Stage stage(prepare_terrain(shot.terrain, options.cache_folder, options.progress), middle_of(shot.flight));
+    Stage stage(prepare_terrain(shot.terrain, options.cache_folder, options.progress), middle_of(shot.flight));
     result.prepare_s = watch.seconds();
     const CameraPath path = make_path(shot.flight, stage);
     const std::vector<PlannedFrame> frames = plan_frames(shot, path.times());
@@ -234,6 +242,7 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
     make_folder(shot.output.folder);
     remove_abandoned_files(shot.output.folder);
     if (!missing.empty()) {
+        report_mesh(rendering, fit_mesh_to_flight(stage, shot, path, options.cache_folder, options.progress));
         const Daylight daylight(shot.look.look);
         const Sight sight =
             make_sight(shot, path, shot_motion(shot, path, frames, stage), {stage, bodies, daylight.to_sun()});

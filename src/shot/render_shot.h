@@ -8,6 +8,7 @@
 
 #include "config/documents.h"
 #include "core/progress.h"
+#include "shot/flight_scene.h"
 #include "shot/interrupted.h"
 #include "shot/previews.h"
 #include "trace/visible_segment.h"
@@ -31,6 +32,7 @@ struct RenderResult {
     std::filesystem::path folder;
     Previews previews;
     double prepare_s = 0.0, light_s = 0.0, trace_s = 0.0, write_s = 0.0, preview_s = 0.0, total_s = 0.0;
+    FlightMeshReport mesh;  // all zeros where every frame was kept
     std::size_t motion_pieces = 0;
     double motion_error_px = 0.0;
     TraceCounters counters;

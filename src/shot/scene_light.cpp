@@ -9,7 +9,7 @@ namespace overfly {
 namespace {
 
 ColourRamp colours_of(const ShotDocument& shot, const Stage& stage) {
-    const auto& heights = stage.mesh().elevation_m;
+    const auto& heights = stage.full_mesh().elevation_m;
     const auto [lowest, highest] = std::ranges::minmax_element(heights);
     if (shot.look.colours.empty()) return hypsometric_ramp(*lowest, *highest);
     return colour_ramp(read_colour_relief(shot.look.colours),
@@ -18,16 +18,16 @@ ColourRamp colours_of(const ShotDocument& shot, const Stage& stage) {
 
 GroundLight ground_light(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress) {
     const auto is_blocked = [&](Point<Scene> from, Vector<Scene> direction) {
-        return stage.rays().is_blocked(from, direction);
+        return stage.full_rays().is_blocked(from, direction);
     };
     const auto shadows = shot.look.sun_shadows == SunShadows::Baked ? GroundShadows::Baked : GroundShadows::Traced;
-    return light_ground(stage.mesh(), colours_of(shot, stage), day, is_blocked, shadows, progress);
+    return light_ground(stage.full_mesh(), colours_of(shot, stage), day, is_blocked, shadows, progress);
 }
 
 }  // namespace
 
 SceneLight::SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress)
-    : shot_(&shot), stage_(&stage), day_(&day), ground_(ground_light(shot, stage, day, progress)) {}
+    : shot_(&shot), stage_(&stage), day_(&day), ground_(stage.full_mesh(), ground_light(shot, stage, day, progress)) {}
 
 SceneShader SceneLight::shader(const ShotBodies& bodies) const {
     std::vector<ShadedBody> shaded;

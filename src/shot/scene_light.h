@@ -8,10 +8,10 @@
 
 namespace overfly {
 
-// The light of a shot on its terrain, worked out once.
+// The light of a shot on its terrain, worked out once: on every sample, whatever is looked at.
 class SceneLight {
   public:
-    // All must outlive it.
+    // All must outlive it. REQUIRES: the stage still has its full mesh; it is asked for it here only.
     SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress);
 
     [[nodiscard]] SceneShader shader(const ShotBodies& bodies) const;
@@ -20,7 +20,7 @@ class SceneLight {
     const ShotDocument* shot_;
     const Stage* stage_;
     const Daylight* day_;
-    GroundLight ground_;
+    LitGround ground_;
 };
 
 }  // namespace overfly

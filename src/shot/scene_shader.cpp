@@ -1,6 +1,5 @@
 #include "shot/scene_shader.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -9,16 +8,6 @@
 
 namespace overfly {
 namespace {
-
-// Where on the triangle the line meets its plane: shares of corners 1 and 2, kept inside the triangle against rounding.
-struct Barycentric {
-    float b1 = 0.0F, b2 = 0.0F;
-};
-
-Barycentric inside(double b1, double b2) {
-    const double in1 = std::clamp(b1, 0.0, 1.0);
-    return {static_cast<float>(in1), static_cast<float>(std::clamp(b2, 0.0, 1.0 - in1))};
-}
 
 // A vector of the scene in a body's own frame. Both frames look along the same rays, whose three parts stand at right
 // angles, also in a mirror.
@@ -43,22 +32,16 @@ class CarriedOver {
 
 }  // namespace
 
-SceneShader::SceneShader(const TerrainMesh& mesh, const GroundLight& light, const Daylight& day, bool transparent_sky,
+SceneShader::SceneShader(const TerrainMesh& mesh, const LitGround& light, const Daylight& day, bool transparent_sky,
                          std::vector<ShadedBody> bodies)
     : mesh_(&mesh),
+      light_(&light),
       daylight_(&day),
-      without_sun_(light.without_sun),
       bodies_(std::move(bodies)),
-      far_(mesh, light),
-      transparent_sky_(transparent_sky) {
-    std::vector<double> heights_m;
-    heights_m.reserve(mesh.positions.size());
-    for (const Point<Scene>& p : mesh.positions) heights_m.push_back(height_over_ball_m(p));
-    if (!heights_m.empty()) lowest_m_ = std::ranges::min(heights_m);
-    corners_.reserve(heights_m.size());
-    for (std::size_t v = 0; v < heights_m.size(); ++v) {
-        corners_.push_back({light.radiance[v], static_cast<float>(heights_m[v] - lowest_m_)});
-    }
+      transparent_sky_(transparent_sky),
+      lowest_m_(light.lowest_m()) {
+    corners_.reserve(mesh.positions.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) corners_.push_back({mesh.positions[v], mesh.samples[v]});
 }
 
 SceneShader::Ray SceneShader::ray_of(const MotionPiece& scene, const Sighting& sighting, double u) const {
@@ -68,43 +51,42 @@ SceneShader::Ray SceneShader::ray_of(const MotionPiece& scene, const Sighting& s
     return {origin, (1.0 / metres_per_depth) * d, metres_per_depth, 0.0, height_over_ball_m(origin) - lowest_m_};
 }
 
-Radiance SceneShader::beyond(const Ray& ray) const {
-    if (transparent_sky_ && ray.from_m == 0.0) return {{}, 0.0F, Frame::kNoDepth};
+SceneShader::Behind SceneShader::beyond(const Ray& ray) const {
+    if (transparent_sky_ && ray.from_m == 0.0) return {{{}, 0.0F, Frame::kNoDepth}, {}, ray.direction};
     const Point<Scene> from = ray.origin + ray.from_m * ray.direction;
-    if (const auto distance_m = far_.distance_m(from, ray.direction)) {
-        const Daylight::AirPath air = {*distance_m, ray.from_height_m, far_.height_m - lowest_m_};
-        return {daylight_->through_air(far_.radiance, air, ray.direction), 1.0F, Frame::kNoDepth};
+    if (const auto distance_m = light_->far().distance_m(from, ray.direction)) {
+        const Daylight::AirPath air = {*distance_m, ray.from_height_m, light_->far().height_m - lowest_m_};
+        return {{light_->far().radiance, 1.0F, Frame::kNoDepth}, air, ray.direction};
     }
-    return {daylight_->background(ray.direction, up_at(from)), 1.0F, Frame::kNoDepth};
+    return {{daylight_->background(ray.direction, up_at(from)), 1.0F, Frame::kNoDepth}, {}, ray.direction};
 }
 
-Radiance SceneShader::ground(const MotionPiece& scene, const Sighting& sighting, double u, const Ray& ray) const {
+SceneShader::Behind SceneShader::ground(const MotionPiece& scene, const Sighting& sighting, double time_s,
+                                        TimeRange over, const Ray& ray) const {
     const auto& ids = mesh_->triangles[sighting.seen->triangle];
-    const Point<Scene> p0 = mesh_->positions[ids[0]];
-    const Vector<Scene> d = ray.metres_per_depth * ray.direction;
-    // Moller and Trumbore (1997): depth and shares are quotients of determinants with one denominator.
-    const Vector<Scene> e1 = mesh_->positions[ids[1]] - p0;
-    const Vector<Scene> e2 = mesh_->positions[ids[2]] - p0;
-    const Vector<Scene> from = scene.origin.at(u) - (p0 - scene.reference);
-    const Vector<Scene> across = cross(d, e2);
-    const Vector<Scene> along = cross(from, e1);
-    const double inverse = 1.0 / dot(across, e1);
-    const double depth_m = inverse * dot(along, e2);
-    const Barycentric b = inside(inverse * dot(across, from), inverse * dot(along, d));
-
-    const Corner& c0 = corners_[ids[0]];
-    const Corner& c1 = corners_[ids[1]];
-    const Corner& c2 = corners_[ids[2]];
-    const float b0 = 1.0F - b.b1 - b.b2;
-    const Rgb light = sighting.seen->in_shadow
-                          ? b0 * without_sun_[ids[0]] + b.b1 * without_sun_[ids[1]] + b.b2 * without_sun_[ids[2]]
-                          : b0 * c0.radiance + b.b1 * c1.radiance + b.b2 * c2.radiance;
-    const float height_m = b0 * c0.height_m + b.b1 * c1.height_m + b.b2 * c2.height_m;
-    const Daylight::AirPath air = {depth_m * ray.metres_per_depth - ray.from_m, ray.from_height_m, height_m};
-    return {daylight_->through_air(light, air, ray.direction), 1.0F, static_cast<float>(depth_m)};
+    const GroundTriangle triangle(corners_[ids[0]], corners_[ids[1]], corners_[ids[2]]);
+    const bool in_shadow = sighting.seen->in_shadow;
+    double depth_m = 0.0;
+    LitGround::Place place;
+    if (over.duration_s() > 0.0 && triangle.covers_cells()) {
+        const auto hit_at = [&](double t) {
+            const double u = scene.u_at(t);
+            return triangle.hit(scene, u, scene.direction_at(u, sighting.x, sighting.y));
+        };
+        const GroundTriangle::Hit from = hit_at(over.begin_s), to = hit_at(over.end_s);
+        depth_m = 0.5 * (from.depth_m + to.depth_m);
+        place = light_->mean(triangle.place(from), triangle.place(to), in_shadow);
+    } else {
+        const auto hit = triangle.hit(scene, scene.u_at(time_s), ray.metres_per_depth * ray.direction);
+        depth_m = hit.depth_m;
+        place = light_->at(triangle.place(hit), in_shadow);
+    }
+    const Daylight::AirPath air = {depth_m * ray.metres_per_depth - ray.from_m, ray.from_height_m, place.height_m};
+    return {{place.radiance, 1.0F, static_cast<float>(depth_m)}, air, ray.direction};
 }
 
-Radiance SceneShader::body(const MotionPiece& scene, const Sighting& sighting, double time_s, const Ray& ray) const {
+SceneShader::Behind SceneShader::body(const MotionPiece& scene, const Sighting& sighting, double time_s,
+                                      const Ray& ray) const {
     const SurfaceSegment& seen = *sighting.seen;
     const ShadedBody& body = bodies_[seen.surface - 1];
     const PlaneDepth plane(*body.mesh, seen.triangle, *seen.motion, sighting.x, sighting.y);
@@ -125,7 +107,7 @@ Radiance SceneShader::body(const MotionPiece& scene, const Sighting& sighting, d
         light = (1.0F - share) * light + share * in_mirror(further, time_s, distance_m);
     }
     const Daylight::AirPath air = {distance_m - ray.from_m, ray.from_height_m, height_over_ball_m(hit) - lowest_m_};
-    return {daylight_->through_air(light, air, ray.direction), 1.0F, static_cast<float>(depth_m)};
+    return {{light, 1.0F, static_cast<float>(depth_m)}, air, ray.direction};
 }
 
 // What comes along the ray behind a mirror that is from_m away.
@@ -135,17 +117,51 @@ Rgb SceneShader::in_mirror(const Sighting& sighting, double time_s, double from_
     Ray ray = ray_of(scene, sighting, u);
     ray.from_m = from_m;
     ray.from_height_m = height_over_ball_m(ray.origin + from_m * ray.direction) - lowest_m_;
-    if (sighting.seen->triangle == kNone) return beyond(ray).colour;
-    if (sighting.seen->surface > 0) return body(scene, sighting, time_s, ray).colour;
-    return ground(scene, sighting, u, ray).colour;
+    if (sighting.seen->triangle == kNone) return through_air(beyond(ray)).colour;
+    if (sighting.seen->surface > 0) return through_air(body(scene, sighting, time_s, ray)).colour;
+    return through_air(ground(scene, sighting, time_s, {}, ray)).colour;
 }
 
-Radiance SceneShader::radiance(const MotionPiece& camera, const Sighting& sighting, double time_s) const {
-    const double u = camera.u_at(time_s);
-    const Ray ray = ray_of(camera, sighting, u);
+SceneShader::Behind SceneShader::behind_air(const MotionPiece& camera, const Look& look) const {
+    const Sighting& sighting = look.sighting;
+    const Ray ray = ray_of(camera, sighting, camera.u_at(look.time_s));
     if (sighting.seen == nullptr || sighting.seen->triangle == kNone) return beyond(ray);
-    if (sighting.seen->surface > 0) return body(camera, sighting, time_s, ray);
-    return ground(camera, sighting, u, ray);
+    if (sighting.seen->surface > 0) return body(camera, sighting, look.time_s, ray);
+    return ground(camera, sighting, look.time_s, look.over, ray);
+}
+
+Radiance SceneShader::through_air(const Behind& behind) const {
+    Radiance out = behind.radiance;
+    if (behind.air) out.colour = daylight_->through_air(out.colour, *behind.air, behind.direction);
+    return out;
+}
+
+Radiance SceneShader::radiance(const MotionPiece& camera, const Look& look) const {
+    return through_air(behind_air(camera, look));
+}
+
+void SceneShader::radiances(const MotionPiece& camera, std::span<const Look> looks, std::span<Radiance> out) const {
+    AirViews views;
+    std::array<std::size_t, AirViews::kSize> whose{};
+    std::size_t count = 0;
+    const auto finish = [&] {
+        look_through(daylight_->air(), views, count);
+        for (std::size_t k = 0; k < count; ++k) out[whose[k]].colour = views.seen(k);
+        count = 0;
+    };
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const Behind behind = behind_air(camera, looks[i]);
+        out[i] = behind.radiance;
+        if (!behind.air) continue;
+        const Daylight::AirPath& air = *behind.air;
+        views.set(
+            count, behind.radiance.colour,
+            {static_cast<float>(air.distance_m), static_cast<float>(air.from_height_m),
+             static_cast<float>(air.to_height_m), static_cast<float>(dot(behind.direction, daylight_->to_sun()))});
+        whose[count++] = i;
+        if (count == AirViews::kSize) finish();
+    }
+    finish();
 }
 
 }  // namespace overfly

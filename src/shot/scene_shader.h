@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,8 +9,8 @@
 #include "flight/motion.h"
 #include "shade/body_light.h"
 #include "shade/daylight.h"
-#include "shade/far_ground.h"
-#include "shade/ground_light.h"
+#include "shade/lit_ground.h"
+#include "shot/ground_triangle.h"
 #include "terrain/terrain_mesh.h"
 #include "trace/sight.h"
 
@@ -25,8 +26,9 @@ struct ShadedBody {
 // mirror sends on, or where there is nothing the Earth beyond the data and the sky.
 class SceneShader {
   public:
-    // Keeps references to the mesh and to the daylight. Body k is surface k + 1.
-    SceneShader(const TerrainMesh& mesh, const GroundLight& light, const Daylight& day, bool transparent_sky,
+    // Keeps references to mesh, light and daylight. The mesh is the one that is looked at, of the same raster as the
+    // one that is lit, but may have fewer triangles. Body k is surface k + 1.
+    SceneShader(const TerrainMesh& mesh, const LitGround& light, const Daylight& day, bool transparent_sky,
                 std::vector<ShadedBody> bodies = {});
 
     // A line of sight through the film point (x, y) and what it meets.
@@ -35,15 +37,19 @@ class SceneShader {
         const SurfaceSegment* seen = nullptr;            // nullptr: the sky
         std::span<const SurfaceSegment> reflected = {};  // of SurfaceSegmentLists
     };
-    // camera: the piece of the rays relative to the scene that the time lies in.
-    [[nodiscard]] Radiance radiance(const MotionPiece& camera, const Sighting& sighting, double time_s) const;
+    // over: the time, if any, of which the radiance has to be the mean; where a triangle of the ground is larger than
+    // the cells of the raster, its light isn't smooth along the way.
+    struct Look {
+        Sighting sighting;
+        double time_s = 0.0;
+        TimeRange over;
+    };
+    // camera: the piece of the rays relative to the scene that the times lie in.
+    [[nodiscard]] Radiance radiance(const MotionPiece& camera, const Look& look) const;
+    // The same for many, which is faster. REQUIRES: as many of out.
+    void radiances(const MotionPiece& camera, std::span<const Look> looks, std::span<Radiance> out) const;
 
   private:
-    // What is interpolated over a triangle of the ground.
-    struct Corner {
-        Rgb radiance;
-        float height_m;  // above lowest_m_
-    };
     // A ray in the scene, and where on it the air begins that has not been counted yet.
     struct Ray {
         Point<Scene> origin;
@@ -52,22 +58,29 @@ class SceneShader {
         double from_m = 0.0;
         double from_height_m = 0.0;  // above lowest_m_
     };
+    // What a ray meets, and the air that it is still to be seen through, if any.
+    struct Behind {
+        Radiance radiance;
+        std::optional<Daylight::AirPath> air;
+        Vector<Scene> direction;
+    };
 
     [[nodiscard]] Ray ray_of(const MotionPiece& scene, const Sighting& sighting, double u) const;
-    [[nodiscard]] Radiance beyond(const Ray& ray) const;
-    [[nodiscard]] Radiance ground(const MotionPiece& scene, const Sighting& sighting, double u, const Ray& ray) const;
-    [[nodiscard]] Radiance body(const MotionPiece& scene, const Sighting& sighting, double time_s,
+    [[nodiscard]] Behind beyond(const Ray& ray) const;
+    [[nodiscard]] Behind ground(const MotionPiece& scene, const Sighting& sighting, double time_s, TimeRange over,
                                 const Ray& ray) const;
+    [[nodiscard]] Behind body(const MotionPiece& scene, const Sighting& sighting, double time_s, const Ray& ray) const;
+    [[nodiscard]] Behind behind_air(const MotionPiece& camera, const Look& look) const;
+    [[nodiscard]] Radiance through_air(const Behind& behind) const;
     [[nodiscard]] Rgb in_mirror(const Sighting& sighting, double time_s, double from_m) const;
 
     const TerrainMesh* mesh_;
+    std::vector<GroundCorner> corners_;  // by vertex of the mesh
+    const LitGround* light_;
     const Daylight* daylight_;
-    std::vector<Corner> corners_;   // by vertex
-    std::vector<Rgb> without_sun_;  // by vertex
     std::vector<ShadedBody> bodies_;
-    FarGround far_;
     bool transparent_sky_;
-    double lowest_m_ = 0.0;  // the ground from which heights in the air are counted
+    double lowest_m_;  // the ground from which heights in the air are counted
 };
 
 }  // namespace overfly

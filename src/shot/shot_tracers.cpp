@@ -3,7 +3,11 @@
 namespace overfly {
 
 ShotTracers::ShotTracers(const ShotDocument& shot, const Stage& stage, const ShotBodies& bodies, const Sight& sight)
-    : lines_(shot.sampling.lines), samples_(shot.sampling.samples) {
+
+    : lines_(shot.sampling.lines),
+      samples_(shot.sampling.samples),
+      drift_px_(shot.sampling.drift_px),
+      ground_(&stage.rays()) {
     const TracerKind kind = shot.sampling.tracer;
     std::optional<SunShadows> shadows;
     if (shot.look.look.sun_elevation.radians() > 0.0) shadows = shot.look.sun_shadows;
@@ -16,7 +20,12 @@ ShotTracers::ShotTracers(const ShotDocument& shot, const Stage& stage, const Sho
 }
 
 TracerPair ShotTracers::pair() const {
-    return {continuous_ ? &continuous_->tracer : nullptr, lines_, discrete_ ? &discrete_->tracer : nullptr, samples_};
+    return {continuous_ ? &continuous_->tracer : nullptr,
+            lines_,
+            discrete_ ? &discrete_->tracer : nullptr,
+            samples_,
+            discrete_ ? 0.0 : drift_px_,
+            ground_};
 }
 
 }  // namespace overfly

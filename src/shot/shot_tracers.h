@@ -29,6 +29,8 @@ class ShotTracers {
 
     std::optional<Part> continuous_, discrete_;
     int lines_, samples_;
+    double drift_px_;
+    const RayScene* ground_;
 };
 
 }  // namespace overfly

@@ -21,13 +21,26 @@ Point<Scene> float_centre(const SceneFrame& frame, const std::optional<Geodetic>
 Stage::Stage(PreparedTerrain terrain, const std::optional<Geodetic>& around)
     : terrain_(std::move(terrain)),
       frame_(terrain_.scene.origin),
-      rays_(terrain_.scene.mesh, float_centre(frame_, around)),
+      full_rays_(std::in_place, terrain_.scene.mesh, float_centre(frame_, around)),
       geoid_(read_egm96()) {}
+
+const RayScene& Stage::full_rays() const {
+    check(full_rays_.has_value(), "the full mesh is still there");
+    return *full_rays_;
+}
+
+void Stage::look_at(TerrainMesh flight_mesh) { flight_.emplace(std::move(flight_mesh), full_rays().float_centre()); }
+
+void Stage::drop_full_mesh() {
+    if (!flight_) return;
+    full_rays_.reset();
+    terrain_.scene.mesh = {};
+}
 
 std::optional<double> Stage::ground_height_m(Angle lon, Angle lat) const {
     const Point<Scene> from = frame_.scene({lon, lat, kAboveEverything_m});
     const Vector<Scene> up = frame_.local_axes({lon, lat, 0.0}).z;
-    const auto hit = rays_.first_hit(from, -up);
+    const auto hit = full_rays().first_hit(from, -up);
     if (!hit) return std::nullopt;
     return kAboveEverything_m - hit->distance;
 }
@@ -35,7 +48,7 @@ std::optional<double> Stage::ground_height_m(Angle lon, Angle lat) const {
 Surroundings Stage::surroundings() const {
     return {[this](Angle lon, Angle lat) { return ground_height_m(lon, lat); },
             [this](Angle lon, Angle lat) { return sea_level_m(lon, lat); },
-            [this](Point<Scene> p) { return rays_.distance_m(p); }};
+            [this](Point<Scene> p) { return full_rays().distance_m(p); }};
 }
 
 std::optional<Geodetic> middle_of(const FlightDocument& flight) {

@@ -4,6 +4,7 @@
 
 #include "core/time_range.h"
 #include "shot/pixel_tile.h"
+#include "trace/ray_scene.h"
 #include "trace/sight.h"
 
 namespace overfly {
@@ -15,6 +16,9 @@ struct TracerPair {
     int lines = 4;  // per pixel
     const SightTracer* discrete = nullptr;
     int samples = 64;  // per pixel
+    // How far lines drift over the picture during an exposure; 0: they stand still. With it, what they see.
+    double drift_px = 0.0;
+    const RayScene* ground = nullptr;
 };
 
 // The hybrid of Chapman, Calvert and Dill 1991, section 6, by tile and motion piece: whether following `lines` of a

@@ -51,6 +51,7 @@ TEST(ShotInputs, EverythingThatChangesPixelsChangesTheHash) {
         [](ShotDocument& s) { s.look.look.exposure_stops = 1.0; },
         [&](ShotDocument& s) { s.look.colours = folder / "ramp.txt"; },
         [](ShotDocument& s) { s.motion_bound_px = 0.02; },
+        [](ShotDocument& s) { s.mesh_pixel_error = 0.25; },
     };
     std::set<std::string> hashes;
     for (std::size_t i = 0; i < changes.size(); ++i) {

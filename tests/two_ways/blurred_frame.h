@@ -31,11 +31,14 @@ struct FrameMaker {
     ShotDocument shot{};
     const ShotBodies& bodies = kNobody;
     Daylight day{shot.look.look};
-    GroundLight light = light_ground(
-        stage.mesh(), banded_ramp(), day, [](Point<Scene>, Vector<Scene>) { return false; },
-        shot.look.sun_shadows == SunShadows::Exact ? GroundShadows::Traced : GroundShadows::Baked);
+    LitGround light = {stage.full_mesh(),
+                       light_ground(
+                           stage.full_mesh(), banded_ramp(), day, [](Point<Scene>, Vector<Scene>) { return false; },
+                           shot.look.sun_shadows == SunShadows::Exact ? GroundShadows::Traced : GroundShadows::Baked)};
 
     inline static const ShotBodies kNobody;
+
+    double drift_px = 0.0;  // of lines
 
     // Some of a shot's frames in one go.
     [[nodiscard]] std::vector<Frame> expose_some(TracerKind kind, int lines, int samples,
@@ -45,6 +48,7 @@ struct FrameMaker {
         asked.sampling.tracer = kind;
         asked.sampling.lines = lines;
         asked.sampling.samples = samples;
+        asked.sampling.drift_px = drift_px;
         const ShotTracers tracers(asked, stage, bodies, sight);
         std::vector<ShadedBody> shaded;
         for (const auto& body : bodies)

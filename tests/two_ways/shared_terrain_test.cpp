@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "shot/flight_scene.h"
 #include "trace/agreement.h"
 #include "two_ways/blurred_frame.h"
 
@@ -42,6 +43,23 @@ TEST_P(SharedTerrain, TracersAgree) {
     EXPECT_EQ(agreement.pairs, 200'000);
     EXPECT_GE(agreement.same_share(), 0.9999);
     EXPECT_EQ(agreement.unexplained, 0);
+}
+
+// Half a pixel of a picture 960 wide, on every sample of terrain that is seen from near by.
+TEST(SharedTerrainMesh, IsWithinHalfAPixelOfEverySample) {
+    for (const auto& flight : {level_flight(), diving_flight()}) {
+        PreparedTerrain terrain =
+            prepared(std::filesystem::path(OVERFLY_SHARED_DATA) / "dem" / "bigtujunga_srtm30m_utm11n.tif");
+        const FlightDocument document = flight_over(terrain.scene.report, flight);
+        Stage stage(std::move(terrain), middle_of(document));
+        const FlightMeshReport mesh =
+            fit_mesh_to_flight(stage, {}, make_path(document, stage),
+                               std::filesystem::path(::testing::TempDir()) / "overfly-no-cache" / "flight");
+        std::cout << mesh.triangles << " of " << mesh.triangles_before << " triangles, at most "
+                  << mesh.largest_error_px << " pixels off, " << mesh.seconds << " s\n";
+        EXPECT_LE(mesh.largest_error_px, 0.5);
+        EXPECT_LT(mesh.triangles, mesh.triangles_before / 2);
+    }
 }
 
 // The figure of the first flight: 960x540, sixteen lines, against 1,024 samples.

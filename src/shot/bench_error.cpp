@@ -1,0 +1,106 @@
+#include "shot/bench_error.h"
+
+#include <algorithm>
+#include <array>
+
+#include "shot/drift_exposure.h"
+
+namespace overfly {
+namespace {
+
+constexpr int kReferenceSamples = 4096;
+constexpr std::array<int, 5> kSamples = {16, 32, 64, 128, 256};
+constexpr std::array<int, 6> kLines = {1, 2, 3, 4, 6, 8};
+constexpr int kTilesOfReference = 16;
+
+// About kTilesOfReference tiles, evenly over the picture.
+class SomeTiles {
+  public:
+    explicit SomeTiles(PictureSize size)
+        : columns_((size.width + kDriftTileSide_px - 1) / kDriftTileSide_px),
+          rows_((size.height + kDriftTileSide_px - 1) / kDriftTileSide_px),
+          step_(std::max(columns_ * rows_ / kTilesOfReference, 1)) {}
+
+    bool operator()(int x, int y) const {
+        // The row's number shifts the choice, so that tiles aren't below each other.
+        const int row = y / kDriftTileSide_px;
+        return (row * columns_ + x / kDriftTileSide_px + row) % step_ == step_ / 2;
+    }
+    [[nodiscard]] double share(PictureSize size) const {
+        int pixels = 0;
+        for (int y = 0; y < size.height; ++y) {
+            for (int x = 0; x < size.width; ++x) pixels += (*this)(x, y) ? 1 : 0;
+        }
+        return static_cast<double>(pixels) / size.width / size.height;
+    }
+
+  private:
+    int columns_, rows_, step_;
+};
+
+class ErrorMeasuring {
+  public:
+    ErrorMeasuring(const BenchScene& scene, const Progress& progress)
+        : scene_(&scene),
+          progress_(&progress),
+          tiles_(scene.size()),
+          share_(tiles_.share(scene.size())),
+          work_(bench_work(scene, 1).front()) {}
+
+    ErrorBench run() {
+        ErrorBench out;
+        out.reference_samples = kReferenceSamples;
+        say("making the reference");
+        reference_ = frame(TracerKind::Discrete, kReferenceSamples, true).frames.front();
+        for (const int samples : kSamples) out.discrete.push_back(point(TracerKind::Discrete, samples));
+        for (const int lines : kLines) {
+            out.interval.push_back(point(TracerKind::Interval, lines));
+            out.kinetic.push_back(point(TracerKind::Kinetic, lines));
+        }
+        for (const ErrorPoint& d : out.discrete) {
+            const auto good = std::ranges::find_if(out.kinetic, [&](const ErrorPoint& k) { return k.rmse <= d.rmse; });
+            if (good != out.kinetic.end()) out.equal.push_back({d, *good});
+        }
+        return out;
+    }
+
+  private:
+    Exposed frame(TracerKind kind, int count, bool only_some) {
+        SamplingDocument sampling = scene_->shot().sampling;
+        sampling.tracer = kind;
+        sampling.lines = sampling.samples = count;
+        const ShotTracers tracers = scene_->tracers(sampling);
+        Exposing exposing = scene_->exposing(tracers);
+        if (only_some) exposing.wanted = tiles_;
+        return expose(exposing, work_);
+    }
+
+    ErrorPoint point(TracerKind kind, int count) {
+        say("timing pictures");
+        const bool only_some = kind != TracerKind::Kinetic;
+        const Exposed exposed = frame(kind, count, only_some);
+        const double whole_s = exposed.seconds / (only_some ? share_ : 1.0);
+        return {count, root_mean_square(exposed.frames.front(), reference_, tiles_),
+                whole_s / static_cast<double>(work_.frames.size())};
+    }
+
+    void say(std::string_view what) const {
+        if (*progress_) (*progress_)(what, 0.0, 0.0);
+    }
+
+    const BenchScene* scene_;
+    const Progress* progress_;
+    SomeTiles tiles_;
+    double share_;
+    BenchWork work_;
+    Frame reference_;
+};
+
+}  // namespace
+
+ErrorBench bench_error(const BenchScene& scene, const Progress& progress) {
+    const OneThread one_thread;
+    return ErrorMeasuring(scene, progress).run();
+}
+
+}  // namespace overfly

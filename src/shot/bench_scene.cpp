@@ -1,0 +1,84 @@
+#include "shot/bench_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "shot/processor_time.h"
+#include "shot/shot_motion.h"
+#include "shot/shot_sight.h"
+
+namespace overfly {
+
+BenchScene::BenchScene(const ShotDocument& shot, const std::filesystem::path& cache_folder, const Progress& progress)
+    : shot_(&shot),
+      stage_(prepare_terrain(shot.terrain, cache_folder, progress), middle_of(shot.flight)),
+      path_(make_path(shot.flight, stage_)),
+      frames_(plan_frames(shot, path_.times())),
+      bodies_(make_bodies(shot, stage_)),
+      mesh_(fit_mesh_to_flight(stage_, shot, path_, cache_folder, progress)),
+      day_(shot.look.look),
+      sight_(make_sight(shot, path_, shot_motion(shot, path_, frames_, stage_), {stage_, bodies_, day_.to_sun()})),
+      light_(shot, stage_, day_, progress),
+      shader_(light_.shader(bodies_)) {}
+
+ShotTracers BenchScene::tracers(const SamplingDocument& sampling) const {
+    ShotDocument asked = *shot_;
+    asked.sampling = sampling;
+    return {asked, stage_, bodies_, sight_};
+}
+
+Exposing BenchScene::exposing(const ShotTracers& tracers) const {
+    return {tracers.pair(), shader_, size(), {}, frames_, {}};
+}
+
+std::vector<BenchWork> bench_work(const BenchScene& scene, std::size_t pieces) {
+    std::vector<const MotionPiece*> exposed;
+    for (const MotionPiece& piece : scene.motion().pieces) {
+        if (std::ranges::any_of(scene.frames(), [&](const PlannedFrame& f) { return is_exposed_in(f, piece); }))
+            exposed.push_back(&piece);
+    }
+    std::vector<BenchWork> out;
+    const std::size_t count = std::min(pieces, exposed.size());
+    for (std::size_t k = 0; k < count; ++k) {
+        BenchWork work = {exposed[(2 * k + 1) * exposed.size() / (2 * count)], {}};
+        for (const PlannedFrame& f : scene.frames()) {
+            if (!is_exposed_in(f, *work.piece)) continue;
+            work.frames.push_back(f);
+            work.frames.back().exposure = intersection(f.exposure, work.piece->when);
+        }
+        out.push_back(std::move(work));
+    }
+    return out;
+}
+
+Exposed expose(const Exposing& exposing, const BenchWork& work) {
+    std::vector<FilmFrame> films;
+    for (std::size_t k = 0; k < work.frames.size(); ++k) films.emplace_back(exposing.size.width, exposing.size.height);
+    std::vector<FilmFrame*> pointers;
+    for (FilmFrame& film : films) pointers.push_back(&film);
+    TraceCounters counters;
+    Exposed out;
+    const double start_s = processor_seconds();
+    expose_piece(exposing, *work.piece, work.frames, pointers, counters);
+    out.seconds = processor_seconds() - start_s;
+    for (FilmFrame& film : films) out.frames.push_back(std::move(film).develop());
+    return out;
+}
+
+double root_mean_square(const Frame& a, const Frame& b, const WantedTile& where) {
+    double sum = 0.0;
+    std::size_t pixels = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+        const int x = static_cast<int>(i) % a.width, y = static_cast<int>(i) / a.width;
+        if (where && !where(x, y)) continue;
+        ++pixels;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double difference = static_cast<double>(a.rgba[i][c]) - static_cast<double>(b.rgba[i][c]);
+            sum += difference * difference;
+        }
+    }
+    return std::sqrt(sum / (3.0 * static_cast<double>(pixels)));
+}
+
+}  // namespace overfly

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/progress.h"
+#include "film/frame.h"
+#include "shot/expose_piece.h"
+#include "shot/flight_scene.h"
+#include "shot/scene_light.h"
+#include "shot/shot_tracers.h"
+
+namespace overfly {
+
+// One thread while it lives.
+class OneThread {
+  public:
+    OneThread() : before_(thread_limit()) { limit_threads(1); }
+    ~OneThread() { limit_threads(before_); }
+    OneThread(const OneThread&) = delete;
+    OneThread& operator=(const OneThread&) = delete;
+
+  private:
+    int before_;
+};
+
+// All that a shot is exposed by, so that tracers with different sampling can be held against each other.
+class BenchScene {
+  public:
+    BenchScene(const ShotDocument& shot, const std::filesystem::path& cache_folder, const Progress& progress);
+    BenchScene(const BenchScene&) = delete;
+    BenchScene& operator=(const BenchScene&) = delete;
+
+    [[nodiscard]] const ShotDocument& shot() const { return *shot_; }
+    [[nodiscard]] const Stage& stage() const { return stage_; }
+    [[nodiscard]] const FlightMeshReport& mesh() const { return mesh_; }
+    [[nodiscard]] const Motion& motion() const { return sight_.motions.front(); }
+    [[nodiscard]] std::span<const PlannedFrame> frames() const { return frames_; }
+    [[nodiscard]] PictureSize size() const { return {shot_->image.width, shot_->image.height}; }
+
+    // REQUIRES: this outlives them.
+    [[nodiscard]] ShotTracers tracers(const SamplingDocument& sampling) const;
+    [[nodiscard]] Exposing exposing(const ShotTracers& tracers) const;
+
+  private:
+    const ShotDocument* shot_;
+    Stage stage_;
+    CameraPath path_;
+    std::vector<PlannedFrame> frames_;
+    ShotBodies bodies_;
+    FlightMeshReport mesh_;
+    Daylight day_;
+    Sight sight_;
+    SceneLight light_;
+    SceneShader shader_;
+};
+
+// A piece of the shot's motion, and the parts of exposures that lie in it.
+struct BenchWork {
+    const MotionPiece* piece = nullptr;
+    std::vector<PlannedFrame> frames;
+};
+
+// Evenly spread over those pieces of the shot that have a frame in them, at most `pieces`.
+[[nodiscard]] std::vector<BenchWork> bench_work(const BenchScene& scene, std::size_t pieces);
+
+struct Exposed {
+    std::vector<Frame> frames;
+    double seconds = 0.0;  // of processor time
+};
+[[nodiscard]] Exposed expose(const Exposing& exposing, const BenchWork& work);
+
+// Of the differences of all colours of two pictures, in those pixels that `where` has (all, if it is empty).
+[[nodiscard]] double root_mean_square(const Frame& a, const Frame& b, const WantedTile& where = {});
+
+}  // namespace overfly

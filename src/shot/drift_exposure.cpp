@@ -1,0 +1,190 @@
+#include "shot/drift_exposure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "film/integrate.h"
+#include "shot/drifting_sight.h"
+#include "shot/light_deposits.h"
+
+namespace overfly {
+namespace {
+
+constexpr int kBlockSide_px = 16;  // of lines that are traced in one go
+
+// Something far enough to stand for the sky.
+constexpr double kFar_m = 1e6;
+
+// A stretched instant.
+constexpr double kSweep_s = 1.0;
+
+}  // namespace
+
+// What is traced where the drift is along one axis.
+struct DriftExposure::View {
+    View(const Exposing& exposing, const Sight& seen, TimeRange over, double rate_px_per_s, DriftAxis axis)
+        : pattern{exposing.size, axis, exposing.tracers.lines},
+          px_per_s(rate_px_per_s),
+          sight(drifting(seen, over, drift_of(exposing.size, over))),
+          tracer(exposing.tracers.continuous->surfaces(), sight),
+          prepared(tracer.prepare(over, film_bounds(over))) {}
+    View(const View&) = delete;
+    View& operator=(const View&) = delete;
+
+    [[nodiscard]] TimeRange when() const { return prepared.when; }
+    [[nodiscard]] const MotionPiece& camera() const { return sight.motions.front().piece_at(when().centre_s()); }
+
+    LinePattern pattern;
+    double px_per_s;
+    Sight sight;
+    SightTracer tracer;
+    PreparedSight prepared;
+
+  private:
+    [[nodiscard]] FilmDrift drift_of(PictureSize size, TimeRange over) const {
+        const double rate = px_per_s * 2.0 / size.width;
+        if (pattern.axis == DriftAxis::X) return {rate, 0.0, over.centre_s()};
+        return {0.0, rate, over.centre_s()};
+    }
+    // Lines outside of the picture come in, and those inside were or will be outside.
+    [[nodiscard]] FilmBounds film_bounds(TimeRange over) const {
+        const double most_px = px_per_s * over.duration_s();
+        FilmBounds b = pattern.size.film_bounds();
+        const double margin = most_px * 2.0 / pattern.size.width;
+        (pattern.axis == DriftAxis::X ? b.low_x : b.low_y) -= margin;
+        (pattern.axis == DriftAxis::X ? b.high_x : b.high_y) += margin;
+        return b;
+    }
+};
+
+// One tile while it is exposed.
+class DriftExposure::Tile {
+  public:
+    Tile(const DriftExposure& whole, const PixelTile& tile, const View& view, TraceCounters& counters)
+        : whole_(&whole), view_(&view), counters_(&counters) {
+        const bool is_x = view.pattern.axis == DriftAxis::X;
+        rows_ = is_x ? Stretch{tile.top, tile.bottom} : Stretch{tile.left, tile.right};
+        along_ = is_x ? Stretch{tile.left, tile.right} : Stretch{tile.top, tile.bottom};
+    }
+
+    void expose(std::size_t exposure) {
+        exposure_ = exposure;
+        const TimeRange e = whole_->exposures_[exposure];
+        // Homes of all lines that are in the tile at any time of the exposure.
+        const double reach_px = 0.5 * view_->px_per_s * e.duration_s();
+        const double end_px = along_.end + reach_px;
+        for (double from = along_.begin - reach_px; from < end_px; from += kBlockSide_px) {
+            const double to = std::min(from + kBlockSide_px, end_px);
+            // The time that any of them is in the tile.
+            const TimeRange in_tile = {e.centre_s() + (along_.begin - to) / view_->px_per_s,
+                                       e.centre_s() + (along_.end - from) / view_->px_per_s};
+            const TimeRange open = intersection(intersection(e, view_->when()), in_tile);
+            if (open.duration_s() <= 0.0) continue;
+            for (int row = rows_.begin; row < rows_.end; row += kBlockSide_px)
+                follow({row, std::min(row + kBlockSide_px, rows_.end), from, to}, open);
+        }
+    }
+
+  private:
+    struct Stretch {
+        int begin, end;
+    };
+
+    // REQUIRES: open is a part of the exposure.
+    void follow(const HomeRange& homes, TimeRange open) {
+        const TimeRange e = whole_->exposures_[exposure_];
+        const double shift_px = view_->px_per_s * (e.centre_s() - view_->when().centre_s());
+        lines_ = lines_of(view_->pattern, homes);
+        samples_.clear();
+        for (const DriftingLine& line : lines_) samples_.push_back(sample_of(view_->pattern, line, shift_px));
+        SurfaceSegmentLists lists;
+        view_->tracer.trace(view_->prepared, samples_, {&open, 1}, lists, *counters_);
+        LightDeposits deposits(whole_->exposing_->shader, view_->camera(), whole_->films_);
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            for_each_stretch(lists.of(i), open, [&](const SurfaceSegment* seen, TimeRange stretch) {
+                deposit(lines_[i], {samples_[i].x, samples_[i].y, seen, lists.reflected}, stretch, deposits);
+            });
+        }
+    }
+
+    // To the pixels of the tile that the line passes meanwhile.
+    void deposit(const DriftingLine& line, const SceneShader::Sighting& sighting, TimeRange stretch,
+                 LightDeposits& deposits) const {
+        const TimeRange e = whole_->exposures_[exposure_];
+        const double per_s = view_->px_per_s;
+        const auto at_px = [&](double t) { return line.home_px + per_s * (t - e.centre_s()); };
+        const auto time_at = [&](int px) { return e.centre_s() + (px - line.home_px) / per_s; };
+        const int first = std::max(static_cast<int>(std::floor(at_px(stretch.begin_s))), along_.begin);
+        const int last = std::min(static_cast<int>(std::floor(at_px(stretch.end_s))), along_.end - 1);
+        for (int px = first; px <= last; ++px) {
+            const TimeRange in_pixel = intersection(stretch, {time_at(px), time_at(px + 1)});
+            if (in_pixel.duration_s() <= 0.0) continue;
+            const double share = in_pixel.duration_s() / (e.duration_s() * view_->pattern.per_pixel);
+            deposits.add(exposure_, pixel(line.row, px), share, {sighting, in_pixel.centre_s(), in_pixel});
+        }
+    }
+
+    [[nodiscard]] std::size_t pixel(int row, int along) const {
+        const bool is_x = view_->pattern.axis == DriftAxis::X;
+        const int x = is_x ? along : row, y = is_x ? row : along;
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(view_->pattern.size.width) +
+               static_cast<std::size_t>(x);
+    }
+
+    const DriftExposure* whole_;
+    const View* view_;
+    TraceCounters* counters_;
+    Stretch rows_{}, along_{};
+    std::size_t exposure_ = 0;
+    std::vector<DriftingLine> lines_;
+    std::vector<ImageSample> samples_;
+};
+
+DriftExposure::DriftExposure(const Exposing& exposing, const MotionPiece& piece, std::span<const TimeRange> exposures,
+                             std::span<FilmFrame* const> films)
+    : exposing_(&exposing),
+      exposures_(exposures.begin(), exposures.end()),
+      films_(films),
+      tiles_(tiles_of(exposing.size, kDriftTileSide_px)) {
+    for (const PixelTile& tile : tiles_) axes_.push_back(axis_for(tile, piece));
+    const TracerPair& tracers = exposing.tracers;
+    const double exposure_s = exposing.planned.front().exposure.duration_s();
+    const bool is_instant = exposure_s == 0.0;
+    TimeRange over = piece.when;
+    Sight at_rest;
+    if (is_instant) {
+        const double time_s = exposures_.front().begin_s;
+        over = {time_s - 0.5 * kSweep_s, time_s + 0.5 * kSweep_s};
+        exposures_.front() = over;
+        at_rest = standing_still(tracers.continuous->sight(), time_s, over);
+    }
+    for (const DriftAxis axis : {DriftAxis::X, DriftAxis::Y}) {
+        if (std::ranges::find(axes_, axis) == axes_.end()) continue;
+        views_[static_cast<std::size_t>(axis)] =
+            std::make_unique<View>(exposing, is_instant ? at_rest : tracers.continuous->sight(), over,
+                                   tracers.drift_px / (is_instant ? kSweep_s : exposure_s), axis);
+    }
+}
+
+DriftExposure::~DriftExposure() = default;
+
+DriftAxis DriftExposure::axis_for(const PixelTile& tile, const MotionPiece& piece) const {
+    const double x = exposing_->size.film_x(0.5 * (tile.left + tile.right));
+    const double y = exposing_->size.film_y(0.5 * (tile.top + tile.bottom));
+    constexpr double kMiddle = 0.5;
+    const Vector<Scene> direction = piece.direction_at(kMiddle, x, y);
+    const Point<Scene> eye = piece.origin_at(kMiddle);
+    const auto hit = exposing_->tracers.ground->first_hit(eye, direction);
+    const Point<Scene> seen = eye + (hit ? hit->distance : kFar_m) * direction;
+    const FilmPoint begin = film_point(piece, 0.0, seen), end = film_point(piece, 1.0, seen);
+    if (begin.depth_m <= 0.0 || end.depth_m <= 0.0) return DriftAxis::X;
+    return std::abs(end.y - begin.y) > std::abs(end.x - begin.x) ? DriftAxis::X : DriftAxis::Y;
+}
+
+void DriftExposure::run(std::size_t tile, TraceCounters& counters) const {
+    const View& view = *views_[static_cast<std::size_t>(axes_[tile])];
+    Tile one(*this, tiles_[tile], view, counters);
+    for (std::size_t e = 0; e < exposures_.size(); ++e) one.expose(e);
+}
+
+}  // namespace overfly

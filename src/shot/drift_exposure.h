@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "flight/motion.h"
+#include "shot/expose_piece.h"
+#include "shot/line_pattern.h"
+
+namespace overfly {
+
+// A stretch of the picture, rows and columns alike, in which all lines drift the same way.
+inline constexpr int kDriftTileSide_px = 64;
+
+// The light of lines that drift over the picture, for the frames of one piece of the camera's motion. They drift across
+// the motion of what they see, or nearly: along x or y, whichever is more across it, tile by tile (design 3.5). A frame
+// without exposure time is swept in the same way while the world stands still.
+class DriftExposure {
+  public:
+    // All must outlive it. REQUIRES: a pair with drift and without discrete tracer; planned frames; of exposures of no
+    // duration, one.
+    DriftExposure(const Exposing& exposing, const MotionPiece& piece, std::span<const TimeRange> exposures,
+                  std::span<FilmFrame* const> films);
+    ~DriftExposure();
+
+    [[nodiscard]] std::span<const PixelTile> tiles() const { return tiles_; }
+
+    // Different tiles may be run from different threads at once.
+    void run(std::size_t tile, TraceCounters& counters) const;
+
+  private:
+    struct View;
+    class Tile;
+
+    [[nodiscard]] DriftAxis axis_for(const PixelTile& tile, const MotionPiece& piece) const;
+
+    const Exposing* exposing_;
+    std::vector<TimeRange> exposures_;  // an instant stretched for the sweep
+    std::span<FilmFrame* const> films_;
+    std::vector<PixelTile> tiles_;
+    std::vector<DriftAxis> axes_;                 // of each tile
+    std::array<std::unique_ptr<View>, 2> views_;  // by axis, as far as any tile needs them
+};
+
+}  // namespace overfly
