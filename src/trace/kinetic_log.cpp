@@ -21,15 +21,15 @@ void StrideLog::reserve_more(std::size_t more) {
 }
 
 std::size_t StrideLog::write(const PieceStretch& stretch, RecordId last, SegmentLists& out) {
-    latest_first_.clear();
-    for (RecordId r = last; r != kNone; r = before[r]) latest_first_.push_back(r);
+    in_order_.clear();
+    for (RecordId r = last; r != kNone; r = before[r]) in_order_.push_back(r);
+    std::ranges::reverse(in_order_);
     const double begin_s = stretch.piece->when.begin_s;
     const double duration_s = stretch.piece->when.duration_s();
     const auto end_u = static_cast<float>(stretch.to_u);
     const std::size_t first = out.segments.size();
     double since_s = stretch.when.begin_s;
-    for (auto record = latest_first_.rbegin(); record != latest_first_.rend(); ++record) {
-        const RecordId r = *record;
+    for (const RecordId r : in_order_) {
         const float until = until_u[r];
         double until_s = std::max(since_s, begin_s + static_cast<double>(until) * duration_s);
         if (until >= end_u) until_s = stretch.when.end_s;
@@ -46,7 +46,7 @@ std::size_t StrideLog::write(const PieceStretch& stretch, RecordId last, Segment
         since_s = until_s;
     }
     out.end_sample();
-    return latest_first_.size();
+    return in_order_.size();
 }
 
 }  // namespace overfly

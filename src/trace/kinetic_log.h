@@ -35,7 +35,7 @@ class StrideLog {
     std::size_t write(const PieceStretch& stretch, RecordId last, SegmentLists& out);
 
   private:
-    std::vector<RecordId> latest_first_;
+    std::vector<RecordId> in_order_;
 };
 
 }  // namespace overfly
