@@ -11,8 +11,6 @@
 namespace overfly {
 namespace {
 
-constexpr double kEarthRadius_m = 6'371'008.8;  // mean radius (IUGG)
-
 // Haze thins out with height by 1/e in this many metres: between dry dust (1 to 2 km) and the air itself (8 km).
 constexpr float kHazeScaleHeight_m = 2'500.0F;
 

@@ -45,6 +45,8 @@ class Daylight {
     Air air_;
 };
 
+inline constexpr double kEarthRadius_m = 6'371'008.8;  // mean radius (IUGG)
+
 // Up at a place of the scene: away from the middle of an Earth that is a ball. For skies, not for geodesy.
 [[nodiscard]] Vector<Scene> up_at(Point<Scene> p);
 // Height above that ball, in metres.

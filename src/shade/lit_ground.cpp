@@ -8,13 +8,6 @@
 
 namespace overfly {
 
-namespace {
-
-// What is swept faster is a blur that nobody sees the grain of.
-constexpr double kMostLooks = 32.0;
-
-}  // namespace
-
 LitGround::LitGround(const TerrainMesh& full, const GroundLight& light) : far_(full, light) {
     const SampleGrid grid(full);
     columns_ = grid.columns;
@@ -31,13 +24,13 @@ LitGround::LitGround(const TerrainMesh& full, const GroundLight& light) : far_(f
         is_known[i] = 1;
         const auto height_m = static_cast<float>(height_over_ball_m(full.positions[v]) - lowest_m_);
         const Rgb sun = light.radiance[v], shade = light.without_sun[v];
-        in_sun_[i] = {{sun.r, sun.g, sun.b, height_m}};
-        without_sun_[i] = {{shade.r, shade.g, shade.b, height_m}};
+        in_sun_[i] = Sample{sun.r, sun.g, sun.b, height_m};
+        without_sun_[i] = Sample{shade.r, shade.g, shade.b, height_m};
     }
     fill_beside(is_known);
     for (std::size_t i = 0; i < in_sun_.size(); ++i) {
         if (grid.diagonal[i] == 0) continue;
-        for (auto* samples : {&in_sun_, &without_sun_}) (*samples)[i].v[3] = -(*samples)[i].v[3];
+        for (auto* samples : {&in_sun_, &without_sun_}) (*samples)[i][3] = -(*samples)[i][3];
     }
 }
 
@@ -58,43 +51,15 @@ void LitGround::fill_beside(const std::vector<std::uint8_t>& is_known) {
     }
 }
 
-LitGround::Place LitGround::at(RasterPlace place, bool in_shadow) const {
-    const int c = std::clamp(static_cast<int>(place.column), 0, columns_ - 2);
-    const int r = std::clamp(static_cast<int>(place.row), 0, rows_ - 2);
-    const auto right = std::clamp(static_cast<float>(place.column - c), 0.0F, 1.0F);
-    const auto down = std::clamp(static_cast<float>(place.row - r), 0.0F, 1.0F);
-    const std::size_t i =
-        static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
-    const Sample* const s = &(in_shadow ? without_sun_ : in_sun_)[i];
-    const Sample* const below = s + columns_;
-    // Shares of the corners. With this of the one opposite they are those in either triangle of the cell; right * down
-    // would make it the bilinear interpolation.
-    const float opposite = std::signbit(s->v[3]) ? std::max(right + down - 1.0F, 0.0F) : std::min(right, down);
-    const float beside = right - opposite, under = down - opposite, first = 1.0F - right - under;
-    std::array<float, 4> v;
-    for (std::size_t k = 0; k < v.size(); ++k) {
-        v[k] = std::abs(first * s->v[k]) + std::abs(beside * s[1].v[k]) + std::abs(under * below->v[k]) +
-               std::abs(opposite * below[1].v[k]);
-    }
-    return {{v[0], v[1], v[2]}, v[3]};
-}
-
-LitGround::Place LitGround::mean(RasterPlace from, RasterPlace to, bool in_shadow) const {
+LitGround::Way LitGround::way(RasterPlace from, RasterPlace to) {
     const double columns = to.column - from.column;
     const double rows = to.row - from.row;
-    // Of a quarter of a cell at most one look says enough, and one cell has two: light bends at its sides.
     const double cells = std::max(std::abs(columns), std::abs(rows));
-    const int looks = static_cast<int>(std::clamp(std::ceil(cells + 0.75), 1.0, kMostLooks));
+    const double looks = std::clamp(std::ceil(cells + kLooksMore), 1.0, kMostLooks);
     const double step = 1.0 / looks;
-    Place sum;
-    for (int k = 0; k < looks; ++k) {
-        const double share = step * (k + 0.5);
-        const Place one = at({from.column + share * columns, from.row + share * rows}, in_shadow);
-        sum.radiance += one.radiance;
-        sum.height_m += one.height_m;
-    }
-    const auto weight = static_cast<float>(step);
-    return {weight * sum.radiance, weight * sum.height_m};
+    const double step_columns = step * columns, step_rows = step * rows;
+    return {from.column + 0.5 * step_columns, from.row + 0.5 * step_rows, step_columns, step_rows,
+            static_cast<int>(looks)};
 }
 
 }  // namespace overfly

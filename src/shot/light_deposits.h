@@ -6,7 +6,7 @@
 
 #include "film/film_frame.h"
 #include "shade/air_views.h"
-#include "shot/scene_shader.h"
+#include "shot/many_looks.h"
 
 namespace overfly {
 
@@ -16,7 +16,7 @@ class LightDeposits {
   public:
     // All must outlive it. camera: SceneShader::radiance's.
     LightDeposits(const SceneShader& shader, const MotionPiece& camera, std::span<FilmFrame* const> films)
-        : shader_(&shader), camera_(&camera), films_(films) {}
+        : many_(shader, camera), films_(films) {}
     ~LightDeposits() { flush(); }
     LightDeposits(const LightDeposits&) = delete;
     LightDeposits& operator=(const LightDeposits&) = delete;
@@ -30,7 +30,7 @@ class LightDeposits {
     }
 
     void flush() {
-        shader_->radiances(*camera_, std::span(looks_).first(count_), std::span(found_).first(count_));
+        many_.look(std::span(looks_).first(count_), std::span(found_).first(count_));
         for (std::size_t i = 0; i < count_; ++i)
             films_[whither_[i].film]->add(whither_[i].pixel, whither_[i].weight, found_[i]);
         count_ = 0;
@@ -43,8 +43,7 @@ class LightDeposits {
         float weight = 0.0F;
     };
 
-    const SceneShader* shader_;
-    const MotionPiece* camera_;
+    ManyLooks many_;
     std::span<FilmFrame* const> films_;
     std::size_t count_ = 0;
     std::array<SceneShader::Look, kSize> looks_{};

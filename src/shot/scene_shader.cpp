@@ -75,7 +75,7 @@ SceneShader::Behind SceneShader::ground(const MotionPiece& scene, const Sighting
         };
         const GroundTriangle::Hit from = hit_at(over.begin_s), to = hit_at(over.end_s);
         depth_m = 0.5 * (from.depth_m + to.depth_m);
-        place = light_->mean(triangle.place(from), triangle.place(to), in_shadow);
+        place = light_->mean(LitGround::way(triangle.place(from), triangle.place(to)), in_shadow);
     } else {
         const auto hit = triangle.hit(scene, scene.u_at(time_s), ray.metres_per_depth * ray.direction);
         depth_m = hit.depth_m;
@@ -138,30 +138,6 @@ Radiance SceneShader::through_air(const Behind& behind) const {
 
 Radiance SceneShader::radiance(const MotionPiece& camera, const Look& look) const {
     return through_air(behind_air(camera, look));
-}
-
-void SceneShader::radiances(const MotionPiece& camera, std::span<const Look> looks, std::span<Radiance> out) const {
-    AirViews views;
-    std::array<std::size_t, AirViews::kSize> whose{};
-    std::size_t count = 0;
-    const auto finish = [&] {
-        look_through(daylight_->air(), views, count);
-        for (std::size_t k = 0; k < count; ++k) out[whose[k]].colour = views.seen(k);
-        count = 0;
-    };
-    for (std::size_t i = 0; i < looks.size(); ++i) {
-        const Behind behind = behind_air(camera, looks[i]);
-        out[i] = behind.radiance;
-        if (!behind.air) continue;
-        const Daylight::AirPath& air = *behind.air;
-        views.set(
-            count, behind.radiance.colour,
-            {static_cast<float>(air.distance_m), static_cast<float>(air.from_height_m),
-             static_cast<float>(air.to_height_m), static_cast<float>(dot(behind.direction, daylight_->to_sun()))});
-        whose[count++] = i;
-        if (count == AirViews::kSize) finish();
-    }
-    finish();
 }
 
 }  // namespace overfly

@@ -46,10 +46,10 @@ class SceneShader {
     };
     // camera: the piece of the rays relative to the scene that the times lie in.
     [[nodiscard]] Radiance radiance(const MotionPiece& camera, const Look& look) const;
-    // The same for many, which is faster. REQUIRES: as many of out.
-    void radiances(const MotionPiece& camera, std::span<const Look> looks, std::span<Radiance> out) const;
 
   private:
+    friend class ManyLooks;
+
     // A ray in the scene, and where on it the air begins that has not been counted yet.
     struct Ray {
         Point<Scene> origin;

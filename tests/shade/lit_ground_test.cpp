@@ -72,9 +72,9 @@ TEST(LitGround, HasTheMeanAlongAWay) {
         return sum / kMany;
     };
     const RasterPlace a = {2.25, 3.5}, b = {30.5, 20.25}, near = {2.5, 3.5};
-    EXPECT_NEAR(ground.mean(a, b, true).radiance.g, dense(a, b), 0.05);
-    EXPECT_EQ(ground.mean(a, near, true).radiance.g, ground.at({2.375, 3.5}, true).radiance.g);
-    EXPECT_EQ(ground.mean(a, a, false).height_m, ground.at(a, false).height_m);
+    EXPECT_NEAR(ground.mean(LitGround::way(a, b), true).radiance.g, dense(a, b), 0.05);
+    EXPECT_EQ(ground.mean(LitGround::way(a, near), true).radiance.g, ground.at({2.375, 3.5}, true).radiance.g);
+    EXPECT_EQ(ground.mean(LitGround::way(a, a), false).height_m, ground.at(a, false).height_m);
 }
 
 TEST(LitGround, HasTheLightNextToPlacesBesideIt) {
