@@ -12,7 +12,15 @@ nlohmann::ordered_json counters_json(const TraceCounters& counters) {
             {"triangle_tests_per_ray", static_cast<double>(counters.triangle_tests) / rays},
             {"triangle_hits_per_ray", static_cast<double>(counters.triangle_hits) / rays},
             {"segments_per_ray", static_cast<double>(counters.segments) / rays},
-            {"decided_in_double_share", static_cast<double>(counters.resolved) / rays}};
+            {"decided_in_double_share", static_cast<double>(counters.resolved) / rays},
+            {"restarts", counters.restarts},
+            {"crossings", counters.crossings},
+            {"occlusions", counters.occlusions},
+            {"disocclusions", counters.disocclusions},
+            {"lost", counters.lost},
+            {"checked", counters.checked},
+            {"differed", counters.differed},
+            {"differed_by_edge", counters.differed_by_edge}};
 }
 
 nlohmann::ordered_json render_json(const RenderResult& r) {

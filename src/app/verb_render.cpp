@@ -16,6 +16,7 @@ namespace {
 
 struct Arguments {
     std::string shot, frames;
+    std::uint64_t check_every = 0;
     ShotArguments overrides;
 };
 
@@ -29,6 +30,11 @@ std::string from_here(const std::filesystem::path& path) {
 void summarise(Console& console, const RenderResult& r) {
     console.say(fmt::format("{}: {} of {} frames rendered, {} kept, in {:.1f} s", from_here(r.folder),
                             r.frames_rendered, r.frames_wanted, r.frames_kept, r.total_s));
+    const TraceCounters& c = r.counters;
+    if (c.checked > 0)
+        console.say(fmt::format(
+            "checked: {} of {} answers differ from a discrete ray's, {:.4f} %; {} of them at an edge", c.differed,
+            c.checked, 100.0 * static_cast<double>(c.differed) / static_cast<double>(c.checked), c.differed_by_edge));
     if (!r.previews.contact_sheet.empty())
         console.say(fmt::format("contact sheet: {}", from_here(r.previews.contact_sheet)));
     if (!r.previews.movie.empty()) console.say(fmt::format("preview movie: {}", from_here(r.previews.movie)));
@@ -44,6 +50,7 @@ int run_render(const Arguments& arguments, const CommonOptions& common) {
     options.progress = console.progress();
     options.say = [&](const std::string& line) { console.say(line); };
     options.should_stop = stop_was_asked;
+    options.check_every = arguments.check_every;
     const RenderResult result = render_shot(shot, options);
     summarise(console, result);
     console.result("", render_json(result));
@@ -56,6 +63,8 @@ RunVerb add_render(CLI::App& verb) {
     const auto arguments = std::make_shared<Arguments>();
     verb.add_option("shot", arguments->shot, "the shot document, configs/NAME.yaml")->required();
     verb.add_option("--frames", arguments->frames, "which frames: 10-20, 1-100:5, 1,5,9 (all)");
+    verb.add_option("--check-every", arguments->check_every,
+                    "debugging: ask rays again what every so many-th line of the kinetic tracer sees (0: none)");
     arguments->overrides.add_to(verb);
     return [arguments](const CommonOptions& common) { return run_render(*arguments, common); };
 }

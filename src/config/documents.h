@@ -59,8 +59,8 @@ struct ImageDocument {
 };
 
 struct SamplingDocument {
-    TracerKind tracer = TracerKind::Interval;
-    int lines = 4;          // per pixel: continuous tracers
+    TracerKind tracer = TracerKind::Kinetic;
+    int lines = 2;          // per pixel: continuous tracers
     double drift_px = 8.0;  // how far a line moves over the picture during an exposure; 0: not at all
     int samples = 64;       // per pixel: the discrete tracer
     int mirror_depth = 1;   // how many mirrors a ray is followed through, one after another

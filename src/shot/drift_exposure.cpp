@@ -15,6 +15,9 @@ constexpr int kBlockSide_px = 16;  // of lines that are traced in one go
 // Something far enough to stand for the sky.
 constexpr double kFar_m = 1e6;
 
+// A part of an exposure that is no more than rounding, where it ends as a piece begins.
+constexpr double kLeastShare = 1e-9;
+
 // A stretched instant.
 constexpr double kSweep_s = 1.0;
 
@@ -27,7 +30,7 @@ struct DriftExposure::View {
           px_per_s(rate_px_per_s),
           sight(drifting(seen, over, drift_of(exposing.size, over))),
           tracer(exposing.tracers.continuous->surfaces(), sight),
-          prepared(tracer.prepare(over, film_bounds(over))) {}
+          prepared(tracer.prepare(over, film_bounds(over, exposing.tracers.drift_px))) {}
     View(const View&) = delete;
     View& operator=(const View&) = delete;
 
@@ -46,11 +49,12 @@ struct DriftExposure::View {
         if (pattern.axis == DriftAxis::X) return {rate, 0.0, over.centre_s()};
         return {0.0, rate, over.centre_s()};
     }
-    // Lines outside of the picture come in, and those inside were or will be outside.
-    [[nodiscard]] FilmBounds film_bounds(TimeRange over) const {
-        const double most_px = px_per_s * over.duration_s();
+    // Where samples are in the middle of `over` that are in the picture at any time of an exposure. Their homes are up
+    // to half an exposure's drift outside of it, and the middle of an exposure may be half an exposure before or after
+    // `over`.
+    [[nodiscard]] FilmBounds film_bounds(TimeRange over, double drift_px) const {
         FilmBounds b = pattern.size.film_bounds();
-        const double margin = most_px * 2.0 / pattern.size.width;
+        const double margin = (0.5 * px_per_s * over.duration_s() + drift_px) * 2.0 / pattern.size.width;
         (pattern.axis == DriftAxis::X ? b.low_x : b.low_y) -= margin;
         (pattern.axis == DriftAxis::X ? b.high_x : b.high_y) += margin;
         return b;
@@ -79,7 +83,7 @@ class DriftExposure::Tile {
             const TimeRange in_tile = {e.centre_s() + (along_.begin - to) / view_->px_per_s,
                                        e.centre_s() + (along_.end - from) / view_->px_per_s};
             const TimeRange open = intersection(intersection(e, view_->when()), in_tile);
-            if (open.duration_s() <= 0.0) continue;
+            if (open.duration_s() <= kLeastShare * e.duration_s()) continue;
             for (int row = rows_.begin; row < rows_.end; row += kBlockSide_px)
                 follow({row, std::min(row + kBlockSide_px, rows_.end), from, to}, open);
         }
@@ -111,15 +115,16 @@ class DriftExposure::Tile {
     void deposit(const DriftingLine& line, const SceneShader::Sighting& sighting, TimeRange stretch,
                  LightDeposits& deposits) const {
         const TimeRange e = whole_->exposures_[exposure_];
-        const double per_s = view_->px_per_s;
+        const double per_s = view_->px_per_s, s_per_px = 1.0 / per_s;
+        const double share_per_s = 1.0 / (e.duration_s() * view_->pattern.per_pixel);
         const auto at_px = [&](double t) { return line.home_px + per_s * (t - e.centre_s()); };
-        const auto time_at = [&](int px) { return e.centre_s() + (px - line.home_px) / per_s; };
+        const auto time_at = [&](int px) { return e.centre_s() + (px - line.home_px) * s_per_px; };
         const int first = std::max(static_cast<int>(std::floor(at_px(stretch.begin_s))), along_.begin);
         const int last = std::min(static_cast<int>(std::floor(at_px(stretch.end_s))), along_.end - 1);
         for (int px = first; px <= last; ++px) {
             const TimeRange in_pixel = intersection(stretch, {time_at(px), time_at(px + 1)});
             if (in_pixel.duration_s() <= 0.0) continue;
-            const double share = in_pixel.duration_s() / (e.duration_s() * view_->pattern.per_pixel);
+            const double share = in_pixel.duration_s() * share_per_s;
             deposits.add(exposure_, pixel(line.row, px), share, {sighting, in_pixel.centre_s(), in_pixel});
         }
     }

@@ -22,6 +22,12 @@ class TileExposure {
         for (const PlannedFrame& f : exposing.planned) {
             if (is_exposed_in(f, piece)) planned_.push_back(f.exposure);
         }
+        traced_.assign(exposures.begin(), exposures.end());
+        // Where the kinetic tracer sets out must not depend on which frames are asked for.
+        const bool is_kinetic =
+            tracers.continuous != nullptr && tracers.continuous->surfaces().front().kinetic != nullptr;
+        if (is_kinetic && !planned_.empty() && planned_.front() != traced_.front())
+            traced_.insert(traced_.begin(), planned_.front());
     }
 
     void run(const PixelTile& tile, TraceCounters& counters) const {
@@ -41,7 +47,7 @@ class TileExposure {
   private:
     void follow(const TileSamples& lines, TraceCounters& counters) const {
         SurfaceSegmentLists lists;
-        exposing_->tracers.continuous->trace(prepared_lines_, lines.samples, exposures_, lists, counters);
+        exposing_->tracers.continuous->trace(prepared_lines_, lines.samples, traced_, lists, counters);
         LightDeposits deposits(exposing_->shader, *piece_, films_);
         const double weight = 1.0 / exposing_->tracers.lines;
         for (std::size_t i = 0; i < lines.samples.size(); ++i) {
@@ -80,6 +86,7 @@ class TileExposure {
     std::span<const TimeRange> exposures_;
     std::span<FilmFrame* const> films_;
     std::vector<TimeRange> planned_;
+    std::vector<TimeRange> traced_;  // the exposures that lines are followed through
     PreparedSight prepared_lines_, prepared_samples_;
 };
 

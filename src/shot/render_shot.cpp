@@ -192,7 +192,7 @@ void render_frames(Rendering& rendering, const Scenery& scenery, const std::vect
     rendering.result.light_s = watch.seconds();
     scenery.stage.drop_full_mesh();
     const SceneShader shader = light.shader(scenery.bodies);
-    const ShotTracers tracers(shot, scenery.stage, scenery.bodies, scenery.sight);
+    const ShotTracers tracers(shot, scenery.stage, scenery.bodies, scenery.sight, rendering.options.check_every);
     const Exposing exposing = {
         tracers.pair(), shader, {shot.image.width, shot.image.height}, rendering.options.should_stop, scenery.planned};
     FrameLoop(rendering, scenery.stage, scenery.path, scenery.sight.motions.front(), inputs).run(exposing, frames);

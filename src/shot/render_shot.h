@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -22,6 +23,9 @@ struct RenderOptions {
     // One line of news, such as what was found on disk.
     std::function<void(const std::string&)> say;
     ShouldStop should_stop;
+    // Of so many lines that the kinetic tracer follows, one is asked again of a discrete ray, and those that differ are
+    // counted (trace/kinetic_check.h); 0: none.
+    std::uint64_t check_every = 0;
 };
 
 struct RenderResult {

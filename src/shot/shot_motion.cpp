@@ -5,7 +5,7 @@ namespace {
 
 // A piece is traced in one go. Long ones spread the cost of a walk over many frames, short ones sweep less ground
 // and keep fewer frames open.
-constexpr double kLongestPiece_frames = 4.0;
+constexpr double kLongestPiece_frames = 8.0;
 
 }  // namespace
 

@@ -2,7 +2,8 @@
 
 namespace overfly {
 
-ShotTracers::ShotTracers(const ShotDocument& shot, const Stage& stage, const ShotBodies& bodies, const Sight& sight)
+ShotTracers::ShotTracers(const ShotDocument& shot, const Stage& stage, const ShotBodies& bodies, const Sight& sight,
+                         std::uint64_t check_every)
 
     : lines_(shot.sampling.lines),
       samples_(shot.sampling.samples),
@@ -11,8 +12,10 @@ ShotTracers::ShotTracers(const ShotDocument& shot, const Stage& stage, const Sho
     const TracerKind kind = shot.sampling.tracer;
     std::optional<SunShadows> shadows;
     if (shot.look.look.sun_elevation.radians() > 0.0) shadows = shot.look.sun_shadows;
+    std::optional<TraceCheck> check;
+    if (check_every > 0) check.emplace(stage.rays(), check_every, shot.image.width);
     const auto make = [&](std::optional<Part>& part, TracerKind one) {
-        part.emplace(shadows, stage, bodies, one, sight);
+        part.emplace(shadows, stage, bodies, one, sight, check);
     };
     const bool is_hybrid = kind == TracerKind::Hybrid;
     if (kind != TracerKind::Discrete) make(continuous_, is_hybrid ? TracerKind::Interval : kind);

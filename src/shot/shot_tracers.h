@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "config/documents.h"
@@ -11,8 +12,9 @@ namespace overfly {
 // The tracers that a shot asks for, and what they trace.
 class ShotTracers {
   public:
-    // All must outlive it.
-    ShotTracers(const ShotDocument& shot, const Stage& stage, const ShotBodies& bodies, const Sight& sight);
+    // All must outlive it. check_every: RenderOptions.
+    ShotTracers(const ShotDocument& shot, const Stage& stage, const ShotBodies& bodies, const Sight& sight,
+                std::uint64_t check_every = 0);
     ShotTracers(const ShotTracers&) = delete;
     ShotTracers& operator=(const ShotTracers&) = delete;
 
@@ -23,8 +25,8 @@ class ShotTracers {
         Surfaces surfaces;
         SightTracer tracer;
         Part(std::optional<SunShadows> shadows, const Stage& stage, const ShotBodies& bodies, TracerKind kind,
-             const Sight& sight)
-            : surfaces(shadows, stage, bodies, kind), tracer(surfaces.all(), sight) {}
+             const Sight& sight, std::optional<TraceCheck> check)
+            : surfaces(shadows, stage, bodies, kind, check), tracer(surfaces.all(), sight) {}
     };
 
     std::optional<Part> continuous_, discrete_;

@@ -4,11 +4,12 @@
 
 namespace overfly {
 
-Surfaces::Surfaces(std::optional<SunShadows> shadows, const Stage& stage, const ShotBodies& bodies, TracerKind kind) {
+Surfaces::Surfaces(std::optional<SunShadows> shadows, const Stage& stage, const ShotBodies& bodies, TracerKind kind,
+                   std::optional<TraceCheck> check) {
     const bool terrain_blocks = shadows && (shadows == SunShadows::Exact || !bodies.empty());
     const bool is_mirrored = std::ranges::any_of(bodies, [](const auto& body) { return body->is_mirror(); });
     if (kind == TracerKind::Kinetic) {
-        kinetic_.emplace(stage.rays());
+        kinetic_.emplace(stage.rays(), check);
         // For what the kinetic tracer doesn't do.
         const bool is_needed = terrain_blocks || is_mirrored;
         add(stage.rays(), is_needed ? std::optional(TracerKind::Interval) : std::nullopt);

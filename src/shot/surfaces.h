@@ -15,8 +15,10 @@ namespace overfly {
 class Surfaces {
   public:
     // Stage and bodies must outlive it. Nothing throws a shadow where there is no sun (no `shadows`), and terrain none
-    // on itself where those are in its light already. REQUIRES: kind is not Hybrid, which is a pair of these.
-    Surfaces(std::optional<SunShadows> shadows, const Stage& stage, const ShotBodies& bodies, TracerKind kind);
+    // on itself where those are in its light already. check: of the kinetic
+    // tracer. REQUIRES: kind is not Hybrid, which is a pair of these.
+    Surfaces(std::optional<SunShadows> shadows, const Stage& stage, const ShotBodies& bodies, TracerKind kind,
+             std::optional<TraceCheck> check = std::nullopt);
     Surfaces(const Surfaces&) = delete;
     Surfaces& operator=(const Surfaces&) = delete;
 

@@ -51,7 +51,7 @@ TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
     EXPECT_EQ(shot.image.width, 960);
     EXPECT_EQ(shot.image.height, 540);
     EXPECT_EQ(shot.shutter, Shutter{});
-    EXPECT_EQ(shot.sampling.tracer, TracerKind::Interval);
+    EXPECT_EQ(shot.sampling.tracer, TracerKind::Kinetic);
     EXPECT_EQ(shot.sampling.mirror_depth, 1);
     EXPECT_EQ(shot.look.sun_shadows, SunShadows::Baked);
     EXPECT_TRUE(shot.bodies.empty());
