@@ -41,22 +41,74 @@ nlohmann::ordered_json volumes_json(const BenchResult& r) {
             {"swept_in_parts", in_parts}, {"swollen", swollen},   {"differing_rays", v.differing}};
 }
 
+nlohmann::ordered_json curve_json(const std::vector<ErrorPoint>& points) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const ErrorPoint& p : points) out.push_back({{"count", p.count}, {"rmse", p.rmse}, {"seconds", p.seconds}});
+    return out;
+}
+
+nlohmann::ordered_json equal_error_json(const ErrorBench& bench) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const EqualError& e : bench.equal)
+        out.push_back({{"rmse", e.discrete.rmse},
+                       {"discrete_samples", e.discrete.count},
+                       {"discrete_seconds", e.discrete.seconds},
+                       {"kinetic_lines", e.kinetic.count},
+                       {"kinetic_rmse", e.kinetic.rmse},
+                       {"kinetic_seconds", e.kinetic.seconds},
+                       {"ratio", e.ratio()}});
+    return out;
+}
+
+double crossings_per_pixel_frame(const BenchResult& r) {
+    const TraceCounters& c = r.kinetic.counters;
+    const double pieces = static_cast<double>(r.frames) / static_cast<double>(r.timed_pieces);
+    return static_cast<double>(c.crossings) / (static_cast<double>(c.rays) * pieces);
+}
+
+double same_share(const TraceCounters& c) {
+    return c.checked > 0 ? 1.0 - static_cast<double>(c.differed) / static_cast<double>(c.checked) : 1.0;
+}
+
 nlohmann::ordered_json bench_json(const BenchResult& r) {
+    nlohmann::ordered_json threads = nlohmann::ordered_json::array();
+    for (const ThreadTiming& t : r.threads)
+        threads.push_back(
+            {{"threads", t.threads}, {"seconds", t.seconds}, {"ratio", r.threads.front().seconds / t.seconds}});
+    nlohmann::ordered_json rates = nlohmann::ordered_json::array();
+    for (const RateCost& c : r.frame_rate_cost)
+        rates.push_back({{"factor", c.factor},
+                         {"ns_per_pixel_second", c.ns_per_pixel_second},
+                         {"ratio", c.ns_per_pixel_second / r.frame_rate_cost.front().ns_per_pixel_second}});
     return {{"width", r.width},
             {"height", r.height},
             {"frames", r.frames},
+            {"full_triangles", r.full_triangles},
             {"triangles", r.triangles},
             {"visibility_ns_per_pixel_frame",
-             {{"discrete", r.discrete.ns_per_sample}, {"interval", r.interval.ns_per_sample}}},
+             {{"discrete", r.discrete.ns_per_sample},
+              {"interval", r.interval.ns_per_sample},
+              {"kinetic", r.kinetic.ns_per_sample}}},
+            {"crossings_per_pixel_frame", crossings_per_pixel_frame(r)},
             {"discrete", counters_json(r.discrete.counters)},
             {"interval", counters_json(r.interval.counters)},
+            {"kinetic", counters_json(r.kinetic.counters)},
             {"volumes", volumes_json(r)},
             {"agreement",
              {{"pairs", r.agreement.pairs},
               {"same_triangle_share", r.agreement.same_share()},
               {"same_depth", r.agreement.same_depth},
               {"near_edge", r.agreement.near_edge},
-              {"unexplained", r.agreement.unexplained}}}};
+              {"unexplained", r.agreement.unexplained},
+              {"kinetic",
+               {{"pairs", r.kinetic_check.checked},
+                {"same_triangle_share", same_share(r.kinetic_check)},
+                {"near_edge", r.kinetic_check.differed_by_edge}}}}},
+            {"reference_samples", r.error.reference_samples},
+            {"equal_error", equal_error_json(r.error)},
+            {"error_curves", {{"discrete", curve_json(r.error.discrete)}, {"kinetic", curve_json(r.error.kinetic)}}},
+            {"threads", threads},
+            {"frame_rate_cost", rates}};
 }
 
 std::string volumes_text(const BenchResult& r) {
@@ -89,11 +141,29 @@ std::string volumes_text(const BenchResult& r) {
     return text;
 }
 
-std::string bench_text(const BenchResult& r) {
+std::string speed_text(const BenchResult& r) {
     std::string text =
-        fmt::format("{} x {}, {} frames, {} triangles, one thread\n\n", r.width, r.height, r.frames, r.triangles);
-    text += fmt::format("visibility, ns per pixel and frame    discrete {:8.1f}    interval {:8.1f}\n",
-                        r.discrete.ns_per_sample, r.interval.ns_per_sample);
+        fmt::format("\nerror against {} samples, one thread, light and film included\n", r.error.reference_samples);
+    text += "  samples      RMSE  s a frame   lines      RMSE  s a frame   ratio\n";
+    for (const EqualError& e : r.error.equal)
+        text +=
+            fmt::format("  {:>7}{:>10.5f}{:>11.2f}{:>8}{:>10.5f}{:>11.2f}{:>8.1f}\n", e.discrete.count, e.discrete.rmse,
+                        e.discrete.seconds, e.kinetic.count, e.kinetic.rmse, e.kinetic.seconds, e.ratio());
+    for (const RateCost& c : r.frame_rate_cost)
+        text += fmt::format("  {:>2} times the frame rate: {:.2f} times the visibility time\n", c.factor,
+                            c.ns_per_pixel_second / r.frame_rate_cost.front().ns_per_pixel_second);
+    for (const ThreadTiming& t : r.threads)
+        text += fmt::format("  {} threads: {:.2f} times as fast as one\n", t.threads,
+                            r.threads.front().seconds / t.seconds);
+    return text + "\n";
+}
+
+std::string bench_text(const BenchResult& r) {
+    std::string text = fmt::format("{} x {}, {} frames, {} triangles of {}, one thread\n\n", r.width, r.height,
+                                   r.frames, r.triangles, r.full_triangles);
+    text +=
+        fmt::format("visibility, ns per pixel and frame    discrete {:8.1f}    interval {:8.1f}    kinetic {:8.1f}\n",
+                    r.discrete.ns_per_sample, r.interval.ns_per_sample, r.kinetic.ns_per_sample);
     const TraceCounters& c = r.interval.counters;
     const double rays = static_cast<double>(c.rays);
     text += fmt::format(
@@ -102,12 +172,16 @@ std::string bench_text(const BenchResult& r) {
         static_cast<double>(c.box_tests) / rays, static_cast<double>(c.box_hits) / rays,
         static_cast<double>(c.triangle_tests) / rays, static_cast<double>(c.triangle_hits) / rays,
         static_cast<double>(c.segments) / rays);
+    text += fmt::format("kinetic, per pixel and frame          crossings {:.2f}\n", crossings_per_pixel_frame(r));
+    text += speed_text(r);
     text += volumes_text(r);
     text += fmt::format(
-        "agreement at {} random pairs      {:.4f} % the same triangle; else {} the same depth, {} at an edge, {} "
-        "neither\n",
+        "agreement at {} random pairs      interval {:.4f} % the same triangle; else {} the same depth, {} at an edge, "
+        "{} neither\n",
         r.agreement.pairs, 100.0 * r.agreement.same_share(), r.agreement.same_depth, r.agreement.near_edge,
         r.agreement.unexplained);
+    text += fmt::format("agreement at {} random pairs      kinetic  {:.4f} % the same triangle; else {} at an edge\n",
+                        r.kinetic_check.checked, 100.0 * same_share(r.kinetic_check), r.kinetic_check.differed_by_edge);
     return text;
 }
 
@@ -127,8 +201,7 @@ int run_flight(const Arguments& arguments, const CommonOptions& common) {
 RunVerb add_bench(CLI::App& verb) {
     const auto arguments = std::make_shared<Arguments>();
     verb.require_subcommand(1);
-    CLI::App* flight =
-        verb.add_subcommand("flight", "both tracers on one shot: time per sample, and whether they agree");
+    CLI::App* flight = verb.add_subcommand("flight", "the tracers on one shot: time, error, and whether they agree");
     flight->fallthrough();
     flight->add_option("shot", arguments->shot, "the shot document, configs/NAME.yaml")->required();
     flight->add_option("--pairs", arguments->pairs, "random (sample, time) pairs to compare")

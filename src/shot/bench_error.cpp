@@ -45,7 +45,7 @@ class ErrorMeasuring {
           progress_(&progress),
           tiles_(scene.size()),
           share_(tiles_.share(scene.size())),
-          work_(bench_work(scene, 1).front()) {}
+          work_(middle_frame(scene)) {}
 
     ErrorBench run() {
         ErrorBench out;
@@ -54,7 +54,6 @@ class ErrorMeasuring {
         reference_ = frame(TracerKind::Discrete, kReferenceSamples, true).frames.front();
         for (const int samples : kSamples) out.discrete.push_back(point(TracerKind::Discrete, samples));
         for (const int lines : kLines) {
-            out.interval.push_back(point(TracerKind::Interval, lines));
             out.kinetic.push_back(point(TracerKind::Kinetic, lines));
         }
         for (const ErrorPoint& d : out.discrete) {
@@ -79,9 +78,8 @@ class ErrorMeasuring {
         say("timing pictures");
         const bool only_some = kind != TracerKind::Kinetic;
         const Exposed exposed = frame(kind, count, only_some);
-        const double whole_s = exposed.seconds / (only_some ? share_ : 1.0);
         return {count, root_mean_square(exposed.frames.front(), reference_, tiles_),
-                whole_s / static_cast<double>(work_.frames.size())};
+                exposed.seconds / (only_some ? share_ : 1.0)};
     }
 
     void say(std::string_view what) const {

@@ -23,12 +23,13 @@ struct EqualError {
 
 struct ErrorBench {
     int reference_samples = 0;
-    std::vector<ErrorPoint> discrete, interval, kinetic;
+    std::vector<ErrorPoint> discrete, kinetic;
     std::vector<EqualError> equal;
 };
 
-// Frames in the middle of the shot, on one thread, against many samples. The error is that of some tiles spread evenly
-// over the picture; the discrete tracer is timed on those, the others on whole frames, since they prepare whole pieces.
+// A frame in the middle of the shot, on one thread, against many samples. The error is that of some tiles spread evenly
+// over the picture; the discrete tracer is timed on those, the kinetic one on the whole frame, since it prepares whole
+// pieces.
 [[nodiscard]] ErrorBench bench_error(const BenchScene& scene, const Progress& progress);
 
 }  // namespace overfly

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
+#include <thread>
 
-#include "shot/expose_piece.h"
-#include "shot/flight_scene.h"
+#include "core/stopwatch.h"
 #include "shot/processor_time.h"
 #include "shot/shot_motion.h"
-#include "shot/stage.h"
 
 namespace overfly {
 namespace {
@@ -23,24 +23,43 @@ constexpr int kSamplesPerPixel = 4;
 struct Work {
     const MotionPiece& piece;
     std::vector<TimeRange> exposures;
-    std::vector<TileSamples> tiles;
+    std::span<const TileSamples> tiles;
 
-    [[nodiscard]] double pixel_frames() const {
-        std::size_t pixels = 0;
-        for (const TileSamples& t : tiles) pixels += t.samples.size();
-        return static_cast<double>(pixels) * static_cast<double>(exposures.size());
+    [[nodiscard]] double samples() const {
+        std::size_t count = 0;
+        for (const TileSamples& t : tiles) count += t.samples.size();
+        return static_cast<double>(count);
     }
+    [[nodiscard]] double pixel_frames() const { return samples() * static_cast<double>(exposures.size()); }
 };
 
-template <class AnyTracer>
-double seconds_of(const AnyTracer& tracer, const Work& work, TraceCounters& counters) {
+template <class Trace>
+double seconds_of(const Work& work, const Trace& trace) {
     SegmentLists lists;
     const double start_s = processor_seconds();
     for (const TileSamples& tile : work.tiles) {
         lists.clear();
-        tracer.trace(work.piece, tile.samples, work.exposures, lists, counters);
+        trace(tile, lists);
     }
     return processor_seconds() - start_s;
+}
+
+template <class AnyTracer>
+double seconds_of(const AnyTracer& tracer, const Work& work, TraceCounters& counters) {
+    return seconds_of(work, [&](const TileSamples& tile, SegmentLists& lists) {
+        tracer.trace(work.piece, tile.samples, work.exposures, lists, counters);
+    });
+}
+
+// A piece is prepared once for all pixels, of which these are some.
+double kinetic_seconds(const KineticTracer& tracer, const Work& work, PictureSize size, TraceCounters& counters) {
+    const double start_s = processor_seconds();
+    const KineticPiece piece = tracer.prepare(work.piece, size.film_bounds());
+    const double prepare_s = processor_seconds() - start_s;
+    const double trace_s = seconds_of(work, [&](const TileSamples& tile, SegmentLists& lists) {
+        tracer.trace(piece, tile.samples, work.exposures, lists, counters);
+    });
+    return trace_s + prepare_s * work.samples() / (static_cast<double>(size.width) * size.height);
 }
 
 std::vector<TileSamples> some_tiles(PictureSize size) {
@@ -60,50 +79,145 @@ std::vector<MotionPiece> some_pieces(const Motion& motion) {
     return out;
 }
 
+std::vector<TimeRange> exposures_in(std::span<const PlannedFrame> frames, const MotionPiece& piece) {
+    std::vector<TimeRange> out;
+    for (const PlannedFrame& f : frames) {
+        if (is_exposed_in(f, piece)) out.push_back(intersection(f.exposure, piece.when));
+    }
+    return out;
+}
+
+class FlightBench {
+  public:
+    FlightBench(const BenchScene& scene, const BenchOptions& options)
+        : scene_(&scene), options_(&options), tiles_(some_tiles(scene.size())), pieces_(some_pieces(scene.motion())) {}
+
+    BenchResult run() {
+        result_.width = scene_->size().width;
+        result_.height = scene_->size().height;
+        result_.full_triangles = scene_->mesh().triangles_before;
+        result_.timed_pieces = pieces_.size();
+        result_.triangles = scene_->stage().mesh().triangles.size();
+        {
+            const OneThread one_thread;
+            time_tracers();
+            time_frame_rates();
+        }
+        compare_boxes();
+        compare_answers();
+        time_threads();
+        result_.error = bench_error(*scene_, options_->progress);
+        return std::move(result_);
+    }
+
+  private:
+    void time_tracers() {
+        const DiscreteTracer discrete(scene_->stage().rays());
+        const IntervalTracer interval(scene_->stage().mesh());
+        const KineticTracer kinetic(scene_->stage().rays());
+        double pixel_frames = 0.0;
+        for (const MotionPiece& piece : pieces_) {
+            say("timing the tracers");
+            const Work work = {piece, exposures_in(scene_->frames(), piece), tiles_};
+            result_.frames += static_cast<int>(work.exposures.size());
+            pixel_frames += work.pixel_frames();
+            result_.discrete.ns_per_sample += 1e9 * seconds_of(discrete, work, result_.discrete.counters);
+            result_.interval.ns_per_sample += 1e9 * seconds_of(interval, work, result_.interval.counters);
+            result_.kinetic.ns_per_sample +=
+                1e9 * kinetic_seconds(kinetic, work, scene_->size(), result_.kinetic.counters);
+        }
+        for (TracerTiming* timing : {&result_.discrete, &result_.interval, &result_.kinetic})
+            timing->ns_per_sample /= pixel_frames;
+    }
+
+    // The same stretch of the flight by frames that follow each other more quickly.
+    void time_frame_rates() {
+        const KineticTracer kinetic(scene_->stage().rays());
+        const TimeRange stretch = scene_->motion().times();
+        const TimeRange middle = {stretch.centre_s() - 1.0 / 6.0, stretch.centre_s() + 1.0 / 6.0};
+        for (const int factor : {1, 2, 5, 10}) {
+            say("timing frame rates");
+            ShotDocument shot = scene_->shot();
+            shot.frames.rate.numerator *= factor;
+            if (shot.frames.count) *shot.frames.count *= factor;
+            const std::vector<PlannedFrame> frames = plan_frames(shot, scene_->path().times());
+            const Motion motion = shot_motion(shot, scene_->path(), frames, scene_->stage());
+            double seconds = 0.0, flight_s = 0.0, samples = 0.0;
+            for (const MotionPiece& piece : motion.pieces_over(middle)) {
+                const Work work = {piece, exposures_in(frames, piece), tiles_};
+                if (work.exposures.empty()) continue;
+                TraceCounters counters;
+                seconds += kinetic_seconds(kinetic, work, scene_->size(), counters);
+                flight_s += piece.when.duration_s();
+                samples = work.samples();
+            }
+            result_.frame_rate_cost.push_back({factor, 1e9 * seconds / (flight_s * samples)});
+        }
+    }
+
+    void compare_boxes() {
+        const IntervalTracer interval(scene_->stage().mesh());
+        result_.volumes =
+            compare_volumes(scene_->stage().mesh(), interval, pieces_, scene_->size(), options_->progress);
+        const std::span<const MotionPiece> all = scene_->motion().pieces;
+        for (const std::size_t count : kSwollenPieces) {
+            if (count > all.size()) break;
+            result_.swollen.push_back(
+                swollen_boxes(scene_->stage().mesh(), all.subspan((all.size() - count) / 2, count), scene_->size()));
+        }
+    }
+
+    void compare_answers() {
+        say("comparing the tracers");
+        const RayScene& rays = scene_->stage().rays();
+        const AgreementOptions pairs = {options_->agreement_pairs, 1, scene_->size().width, scene_->size().height};
+        result_.agreement = compare(DiscreteTracer(rays), IntervalTracer(scene_->stage().mesh()),
+                                    scene_->stage().mesh(), scene_->motion(), pairs);
+        // About as many pairs, of as many of the lines as that takes.
+        double lines = 0.0;
+        for (const TileSamples& t : tiles_) lines += static_cast<double>(t.samples.size() * pieces_.size());
+        const auto every = static_cast<std::uint64_t>(
+            std::max(std::floor(lines / static_cast<double>(options_->agreement_pairs)), 1.0));
+        const KineticTracer kinetic(rays, TraceCheck(rays, every, scene_->size().width));
+        for (const MotionPiece& piece : pieces_) {
+            const Work work = {piece, {piece.when}, tiles_};
+            (void)kinetic_seconds(kinetic, work, scene_->size(), result_.kinetic_check);
+        }
+    }
+
+    void time_threads() {
+        const BenchWork work = bench_work(*scene_, 1).front();
+        SamplingDocument sampling = scene_->shot().sampling;
+        sampling.tracer = TracerKind::Kinetic;
+        const ShotTracers tracers = scene_->tracers(sampling);
+        const int before = thread_limit();
+        const int most = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
+        for (int threads = 1; threads <= most; threads *= 2) {
+            say("timing threads");
+            limit_threads(threads);
+            const Stopwatch watch;
+            (void)expose(scene_->exposing(tracers), work);
+            result_.threads.push_back({threads, watch.seconds()});
+        }
+        limit_threads(before);
+    }
+
+    void say(std::string_view what) const {
+        if (options_->progress) options_->progress(what, 0.0, 0.0);
+    }
+
+    const BenchScene* scene_;
+    const BenchOptions* options_;
+    std::vector<TileSamples> tiles_;
+    std::vector<MotionPiece> pieces_;
+    BenchResult result_;
+};
+
 }  // namespace
 
 BenchResult bench_flight(const ShotDocument& shot, const BenchOptions& options) {
-    Stage stage(prepare_terrain(shot.terrain, options.cache_folder, options.progress), middle_of(shot.flight));
-    const CameraPath path = make_path(shot.flight, stage);
-    const std::vector<PlannedFrame> frames = plan_frames(shot, path.times());
-    const Motion motion = shot_motion(shot, path, frames, stage);
-    fit_mesh_to_flight(stage, shot, path, options.cache_folder, options.progress);
-    const DiscreteTracer discrete(stage.rays());
-    const IntervalTracer interval(stage.mesh());
-    BenchResult result;
-    result.width = shot.image.width;
-    result.height = shot.image.height;
-    result.triangles = stage.mesh().triangles.size();
-    const std::vector<TileSamples> tiles = some_tiles({shot.image.width, shot.image.height});
-    double discrete_s = 0.0;
-    double interval_s = 0.0;
-    double pixel_frames = 0.0;
-    const std::vector<MotionPiece> pieces = some_pieces(motion);
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-        if (options.progress)
-            options.progress("timing the tracers", static_cast<double>(k), static_cast<double>(pieces.size()));
-        Work work = {pieces[k], {}, tiles};
-        for (const PlannedFrame& f : frames) {
-            if (is_exposed_in(f, work.piece)) work.exposures.push_back(intersection(f.exposure, work.piece.when));
-        }
-        result.frames += static_cast<int>(work.exposures.size());
-        pixel_frames += work.pixel_frames();
-        discrete_s += seconds_of(discrete, work, result.discrete.counters);
-        interval_s += seconds_of(interval, work, result.interval.counters);
-    }
-    result.discrete.ns_per_sample = 1e9 * discrete_s / pixel_frames;
-    result.interval.ns_per_sample = 1e9 * interval_s / pixel_frames;
-    const PictureSize size = {shot.image.width, shot.image.height};
-    result.volumes = compare_volumes(stage.mesh(), interval, pieces, size, options.progress);
-    for (const std::size_t count : kSwollenPieces) {
-        if (count > motion.pieces.size()) break;
-        const auto middle = std::span(motion.pieces).subspan((motion.pieces.size() - count) / 2, count);
-        result.swollen.push_back(swollen_boxes(stage.mesh(), middle, size));
-    }
-    if (options.progress) options.progress("comparing the tracers", 0.0, 0.0);
-    const AgreementOptions pairs = {options.agreement_pairs, 1, shot.image.width, shot.image.height};
-    result.agreement = compare(discrete, interval, stage.mesh(), motion, pairs);
-    return result;
+    const BenchScene scene(shot, options.cache_folder, options.progress);
+    return FlightBench(scene, options).run();
 }
 
 }  // namespace overfly

@@ -24,11 +24,12 @@ SamplingDocument sampling(const BenchScene& scene, TracerKind kind) {
 double share_by_lines(const Exposing& hybrid, const BenchWork& work) {
     std::vector<TimeRange> exposures;
     for (const PlannedFrame& f : hybrid.planned) {
-        if (is_exposed_in(f, *work.piece)) exposures.push_back(f.exposure);
+        if (is_exposed_in(f, work.pieces.front())) exposures.push_back(f.exposure);
     }
     const std::vector<PixelTile> tiles = tiles_of(hybrid.size);
     TraceCounters counters;
-    const PreparedSight prepared = hybrid.tracers.continuous->prepare(work.piece->when, hybrid.size.film_bounds());
+    const PreparedSight prepared =
+        hybrid.tracers.continuous->prepare(work.pieces.front().when, hybrid.size.film_bounds());
     const auto by_lines = std::ranges::count_if(tiles, [&](const PixelTile& tile) {
         const TileSamples lines = samples_of(tile, hybrid.size, hybrid.tracers.lines);
         return lines_are_cheaper(hybrid.tracers, prepared, lines.samples, exposures, counters);
@@ -60,7 +61,7 @@ void time_tracers(const BenchScene& scene, std::span<const BenchWork> all_work, 
 // The error of one frame by each.
 void compare_with_many(const BenchScene& scene, const BenchWork& work, const Progress& progress, HybridBench& result) {
     if (progress) progress("making the reference", 0.0, 0.0);
-    const BenchWork one = {work.piece, {work.frames.front()}};
+    const BenchWork one = {work.pieces, {work.frames.front()}};
     const auto frame_by = [&](TracerKind kind, int samples) {
         SamplingDocument asked = sampling(scene, kind);
         asked.samples = samples;

@@ -41,26 +41,41 @@ std::vector<BenchWork> bench_work(const BenchScene& scene, std::size_t pieces) {
     std::vector<BenchWork> out;
     const std::size_t count = std::min(pieces, exposed.size());
     for (std::size_t k = 0; k < count; ++k) {
-        BenchWork work = {exposed[(2 * k + 1) * exposed.size() / (2 * count)], {}};
+        const MotionPiece& piece = *exposed[(2 * k + 1) * exposed.size() / (2 * count)];
+        BenchWork work = {{&piece, 1}, {}};
         for (const PlannedFrame& f : scene.frames()) {
-            if (!is_exposed_in(f, *work.piece)) continue;
+            if (!is_exposed_in(f, piece)) continue;
             work.frames.push_back(f);
-            work.frames.back().exposure = intersection(f.exposure, work.piece->when);
+            work.frames.back().exposure = intersection(f.exposure, piece.when);
         }
         out.push_back(std::move(work));
     }
     return out;
 }
 
+BenchWork middle_frame(const BenchScene& scene) {
+    const PlannedFrame& frame = scene.frames()[scene.frames().size() / 2];
+    std::span<const MotionPiece> pieces = scene.motion().pieces_over(frame.exposure);
+    while (pieces.size() > 1 && !is_exposed_in(frame, pieces.front())) pieces = pieces.subspan(1);
+    return {pieces, {frame}};
+}
+
 Exposed expose(const Exposing& exposing, const BenchWork& work) {
     std::vector<FilmFrame> films;
     for (std::size_t k = 0; k < work.frames.size(); ++k) films.emplace_back(exposing.size.width, exposing.size.height);
-    std::vector<FilmFrame*> pointers;
-    for (FilmFrame& film : films) pointers.push_back(&film);
     TraceCounters counters;
     Exposed out;
     const double start_s = processor_seconds();
-    expose_piece(exposing, *work.piece, work.frames, pointers, counters);
+    for (const MotionPiece& piece : work.pieces) {
+        std::vector<PlannedFrame> frames;
+        std::vector<FilmFrame*> in_piece;
+        for (std::size_t k = 0; k < work.frames.size(); ++k) {
+            if (!is_exposed_in(work.frames[k], piece)) continue;
+            frames.push_back(work.frames[k]);
+            in_piece.push_back(&films[k]);
+        }
+        if (!frames.empty()) expose_piece(exposing, piece, frames, in_piece, counters);
+    }
     out.seconds = processor_seconds() - start_s;
     for (FilmFrame& film : films) out.frames.push_back(std::move(film).develop());
     return out;

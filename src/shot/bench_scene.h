@@ -35,6 +35,7 @@ class BenchScene {
 
     [[nodiscard]] const ShotDocument& shot() const { return *shot_; }
     [[nodiscard]] const Stage& stage() const { return stage_; }
+    [[nodiscard]] const CameraPath& path() const { return path_; }
     [[nodiscard]] const FlightMeshReport& mesh() const { return mesh_; }
     [[nodiscard]] const Motion& motion() const { return sight_.motions.front(); }
     [[nodiscard]] std::span<const PlannedFrame> frames() const { return frames_; }
@@ -57,18 +58,22 @@ class BenchScene {
     SceneShader shader_;
 };
 
-// A piece of the shot's motion, and the parts of exposures that lie in it.
+// Pieces of the shot's motion that follow each other, and frames, which count as far as they are exposed in those.
 struct BenchWork {
-    const MotionPiece* piece = nullptr;
+    std::span<const MotionPiece> pieces;
     std::vector<PlannedFrame> frames;
 };
 
-// Evenly spread over those pieces of the shot that have a frame in them, at most `pieces`.
+// A frame in the middle of the shot, and all pieces that it is exposed in.
+[[nodiscard]] BenchWork middle_frame(const BenchScene& scene);
+
+// Single pieces, evenly spread over those of the shot that have a frame in them, at most `pieces`, with the parts of
+// exposures that lie in each.
 [[nodiscard]] std::vector<BenchWork> bench_work(const BenchScene& scene, std::size_t pieces);
 
 struct Exposed {
     std::vector<Frame> frames;
-    double seconds = 0.0;  // of processor time
+    double seconds = 0.0;  // of this thread's processor time
 };
 [[nodiscard]] Exposed expose(const Exposing& exposing, const BenchWork& work);
 

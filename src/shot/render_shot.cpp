@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/stopwatch.h"
 #include "core/version.h"
 #include "io/frame_file.h"
 #include "io/temporary_file.h"
@@ -23,16 +24,6 @@
 
 namespace overfly {
 namespace {
-
-class Stopwatch {
-  public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 void make_folder(const std::filesystem::path& folder) {
     std::error_code error;

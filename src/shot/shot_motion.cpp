@@ -1,11 +1,14 @@
 #include "shot/shot_motion.h"
 
+#include <algorithm>
+
 namespace overfly {
 namespace {
 
-// A piece is traced in one go. Long ones spread the cost of a walk over many frames, short ones sweep less ground
-// and keep fewer frames open.
-constexpr double kLongestPiece_frames = 8.0;
+// A piece is traced in one go. Long ones spread the cost of setting lines down over many frames, also of a high frame
+// rate; short ones sweep less ground and keep fewer frames open.
+constexpr double kLongestPiece_s = 1.0 / 3.0;
+constexpr double kLongestPiece_frames = 16.0;
 
 }  // namespace
 
@@ -14,7 +17,7 @@ MotionOptions motion_options(const ShotDocument& shot) {
     options.bound_px = shot.motion_bound_px;
     options.width_px = shot.image.width;
     options.height_px = shot.image.height;
-    options.longest_piece_s = kLongestPiece_frames / shot.frames.rate.per_s();
+    options.longest_piece_s = std::min(kLongestPiece_s, kLongestPiece_frames / shot.frames.rate.per_s());
     return options;
 }
 
