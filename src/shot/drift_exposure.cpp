@@ -186,10 +186,18 @@ DriftAxis DriftExposure::axis_for(const PixelTile& tile, const MotionPiece& piec
     return std::abs(end.y - begin.y) > std::abs(end.x - begin.x) ? DriftAxis::X : DriftAxis::Y;
 }
 
-void DriftExposure::run(std::size_t tile, TraceCounters& counters) const {
-    const View& view = *views_[static_cast<std::size_t>(axes_[tile])];
-    Tile one(*this, tiles_[tile], view, counters);
-    for (std::size_t e = 0; e < exposures_.size(); ++e) one.expose(e);
+std::vector<DriftExposure::Part> DriftExposure::parts() const {
+    std::vector<Part> out;
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        if (exposing_->wanted && !exposing_->wanted(tiles_[t].left, tiles_[t].top)) continue;
+        for (std::size_t e = 0; e < exposures_.size(); ++e) out.push_back({t, e});
+    }
+    return out;
+}
+
+void DriftExposure::run(const Part& part, TraceCounters& counters) const {
+    const View& view = *views_[static_cast<std::size_t>(axes_[part.tile])];
+    Tile(*this, tiles_[part.tile], view, counters).expose(part.exposure);
 }
 
 }  // namespace overfly

@@ -25,10 +25,13 @@ class DriftExposure {
                   std::span<FilmFrame* const> films);
     ~DriftExposure();
 
-    [[nodiscard]] std::span<const PixelTile> tiles() const { return tiles_; }
-
-    // Different tiles may be run from different threads at once.
-    void run(std::size_t tile, TraceCounters& counters) const;
+    // One tile for one of the exposures, for each of both.
+    struct Part {
+        std::size_t tile, exposure;
+    };
+    [[nodiscard]] std::vector<Part> parts() const;
+    // Different parts may be run from different threads at once.
+    void run(const Part& part, TraceCounters& counters) const;
 
   private:
     struct View;

@@ -94,20 +94,20 @@ class TileExposure {
 
 namespace {
 
-template <class Run>
-void run_tiles(const Exposing& exposing, std::span<const PixelTile> tiles, const Run& run, TraceCounters& counters,
-               const PieceProgress& progress) {
+// Work in parts that threads take.
+template <class Part, class Run>
+void run_all(const Exposing& exposing, std::span<const Part> parts, const Run& run, TraceCounters& counters,
+             const PieceProgress& progress) {
     std::mutex mutex;
     std::size_t done = 0;
-    parallel_for(tiles.size(), [&](std::size_t i) {
-        if (exposing.wanted && !exposing.wanted(tiles[i].left, tiles[i].top)) return;
+    parallel_for(parts.size(), [&](std::size_t i) {
         if (exposing.should_stop && exposing.should_stop()) throw Interrupted();
-        TraceCounters of_tile;
-        run(i, of_tile);
+        TraceCounters of_part;
+        run(parts[i], of_part);
         const std::scoped_lock lock(mutex);
-        counters += of_tile;
+        counters += of_part;
         ++done;
-        if (progress) progress(static_cast<double>(done) / static_cast<double>(tiles.size()));
+        if (progress) progress(static_cast<double>(done) / static_cast<double>(parts.size()));
     });
 }
 
@@ -119,12 +119,13 @@ void expose_drifting(const Exposing& exposing, const MotionPiece& piece, std::sp
     for (std::size_t first = 0; first < exposures.size(); first += together) {
         const DriftExposure exposure(exposing, piece, exposures.subspan(first, together),
                                      films.subspan(first, together));
-        const auto run = [&](std::size_t i, TraceCounters& of_tile) { exposure.run(i, of_tile); };
-        const auto part_done = [&](double share) {
-            const double parts = static_cast<double>(exposures.size()) / static_cast<double>(together);
-            if (progress) progress((static_cast<double>(first) / static_cast<double>(together) + share) / parts);
+        const std::vector<DriftExposure::Part> parts = exposure.parts();
+        const auto run = [&](const DriftExposure::Part& part, TraceCounters& of_part) { exposure.run(part, of_part); };
+        const auto some_done = [&](double share) {
+            const auto sweeps = static_cast<double>(exposures.size() / together);
+            if (progress) progress((static_cast<double>(first / together) + share) / sweeps);
         };
-        run_tiles(exposing, exposure.tiles(), run, counters, part_done);
+        run_all(exposing, std::span<const DriftExposure::Part>(parts), run, counters, some_done);
     }
 }
 
@@ -143,9 +144,11 @@ void expose_piece(const Exposing& exposing, const MotionPiece& piece, std::span<
     for (const PlannedFrame& f : frames) exposures.push_back(f.exposure);
     if (exposing.tracers.drift_px > 0.0) return expose_drifting(exposing, piece, exposures, films, counters, progress);
     const TileExposure exposure(exposing, piece, exposures, films);
-    const std::vector<PixelTile> tiles = tiles_of(exposing.size);
-    const auto run = [&](std::size_t i, TraceCounters& of_tile) { exposure.run(tiles[i], of_tile); };
-    run_tiles(exposing, tiles, run, counters, progress);
+    std::vector<PixelTile> tiles = tiles_of(exposing.size);
+    if (exposing.wanted)
+        std::erase_if(tiles, [&](const PixelTile& tile) { return !exposing.wanted(tile.left, tile.top); });
+    const auto run = [&](const PixelTile& tile, TraceCounters& of_tile) { exposure.run(tile, of_tile); };
+    run_all(exposing, std::span<const PixelTile>(tiles), run, counters, progress);
 }
 
 }  // namespace overfly
