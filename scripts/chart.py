@@ -1,11 +1,12 @@
-"""Charts as SVG pages in the style of docs/figures: what scripts/plots draws with. Lengths are SVG units, pixels."""
+"""Charts as SVG pages in the style of docs/figures, for scripts/plots. Lengths are in pixels of a screen."""
 
 import math
 from dataclasses import dataclass, field
 from xml.sax.saxutils import escape
 
 STYLE = """
-text { font-family: "Helvetica Neue", Arial, "Liberation Sans", "DejaVu Sans", sans-serif; font-size: 13px; fill: #1a1a1a }
+text { font-family: "Helvetica Neue", Arial, "Liberation Sans", "DejaVu Sans", sans-serif }
+text { font-size: 13px; fill: #1a1a1a }
 .title { font-size: 21px; font-weight: bold }
 .about { font-size: 13.5px; fill: #505050 }
 .part { font-size: 14.5px; font-weight: bold }
@@ -25,8 +26,10 @@ COLOURS = {"kinetic": "#0072B2", "discrete": "#D55E00", "interval": "#009E73"}
 
 
 def number(value):
-    """With as many digits as a label needs."""
-    return f"{value:,.0f}" if abs(value) >= 1000 else f"{value:.3g}"
+    """With as many digits as a label needs, and no exponent."""
+    if abs(value) >= 1000:
+        return f"{value:,.0f}"
+    return f"{value:.3g}" if abs(value) >= 1e-4 else f"{value:.6f}".rstrip("0")
 
 
 @dataclass
@@ -45,13 +48,21 @@ class Axis:
             return math.log(value / self.low) / math.log(self.high / self.low)
         return (value - self.low) / (self.high - self.low)
 
+    @staticmethod
+    def covering(label, values):
+        """A logarithmic axis from and to the 1, 2 or 5 times a power of ten around all values."""
+        steps = [m * 10.0**e for e in range(-9, 10) for m in (1, 2, 5)]
+        first = max(i for i, s in enumerate(steps) if s <= min(values) * 1.001)
+        last = min(i for i, s in enumerate(steps) if s >= max(values) * 0.999)
+        return Axis(label, steps[first], steps[last], steps[first : last + 1], log=True)
+
     def marks(self):
         return [t if isinstance(t, tuple) else (t, number(t)) for t in self.ticks]
 
 
 @dataclass
 class Series:
-    """Points (x, y), a text for each or none, and a name next to the point number `name_at`. Texts are moved by (dx, dy)."""
+    """Points (x, y), a text for each or none, and a name beside point number `name_at`; offsets are (right, down)."""
 
     points: list
     colour: str

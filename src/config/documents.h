@@ -62,6 +62,7 @@ struct SamplingDocument {
     TracerKind tracer = TracerKind::Kinetic;
     int lines = 2;          // per pixel: continuous tracers
     double drift_px = 8.0;  // how far a line moves over the picture during an exposure; 0: not at all
+    double error = 0.0;     // of drifting lines, root mean square in linear light; 0: as many as `lines`
     int samples = 64;       // per pixel: the discrete tracer
     int mirror_depth = 1;   // how many mirrors a ray is followed through, one after another
 };

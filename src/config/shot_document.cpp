@@ -44,6 +44,7 @@ void read_sampling(Section& section, SamplingDocument& sampling) {
     section.read("tracer", sampling.tracer, kTracers);
     section.read("lines", sampling.lines, {1, 1024});
     section.read("drift_px", sampling.drift_px, {0, 64});
+    section.read("error", sampling.error, {0, 1});
     section.read("samples", sampling.samples, {1, 65536});
     section.read("mirror_depth", sampling.mirror_depth, {0, 8});
 }

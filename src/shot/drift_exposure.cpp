@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "film/integrate.h"
 #include "shot/drifting_sight.h"
@@ -14,6 +15,20 @@ constexpr int kBlockSide_px = 16;  // of lines that are traced in one go
 
 // Something far enough to stand for the sky.
 constexpr double kFar_m = 1e6;
+
+// Of an error that can't be reached, and is far below what anyone sees.
+constexpr int kMostLines = 64;
+
+double root_mean_square_difference(const Frame& a, const Frame& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double d = static_cast<double>(a.rgba[i][c]) - static_cast<double>(b.rgba[i][c]);
+            sum += d * d;
+        }
+    }
+    return std::sqrt(sum / (3.0 * static_cast<double>(a.rgba.size())));
+}
 
 // A part of an exposure that is no more than rounding, where it ends as a piece begins.
 constexpr double kLeastShare = 1e-9;
@@ -65,16 +80,36 @@ struct DriftExposure::View {
 class DriftExposure::Tile {
   public:
     Tile(const DriftExposure& whole, const PixelTile& tile, const View& view, TraceCounters& counters)
-        : whole_(&whole), view_(&view), counters_(&counters) {
+        : whole_(&whole),
+          view_(&view),
+          counters_(&counters),
+          pattern_(view.pattern),
+          left_(tile.left),
+          top_(tile.top),
+          film_width_(view.pattern.size.width) {
         const bool is_x = view.pattern.axis == DriftAxis::X;
         rows_ = is_x ? Stretch{tile.top, tile.bottom} : Stretch{tile.left, tile.right};
         along_ = is_x ? Stretch{tile.left, tile.right} : Stretch{tile.top, tile.bottom};
     }
 
     void expose(std::size_t exposure) {
-        exposure_ = exposure;
-        const TimeRange e = whole_->exposures_[exposure];
-        // Homes of all lines that are in the tile at any time of the exposure.
+        exposure_ = whole_->exposures_[exposure];
+        film_ = whole_->films_[exposure];
+        if (whole_->exposing_->tracers.error > 0.0) {
+            sweep_until_good();
+        } else {
+            sweep();
+        }
+    }
+
+  private:
+    struct Stretch {
+        int begin, end;
+    };
+
+    // All lines of the pattern that are in the tile at any time of the exposure.
+    void sweep() {
+        const TimeRange e = exposure_;
         const double reach_px = 0.5 * view_->px_per_s * e.duration_s();
         const double end_px = along_.end + reach_px;
         for (double from = along_.begin - reach_px; from < end_px; from += kBlockSide_px) {
@@ -89,21 +124,59 @@ class DriftExposure::Tile {
         }
     }
 
-  private:
-    struct Stretch {
-        int begin, end;
-    };
+    // Twice as many lines again and again: half of them are always other ones than the half before, so the difference
+    // of the two pictures tells the error of their mean. Where only a part of the exposure is in this piece, the error
+    // allowed is that part's share, as errors of parts add up that know nothing of each other.
+    void sweep_until_good() {
+        FilmFrame* const whole_film = film_;
+        const double share = intersection(exposure_, view_->when()).duration_s() / exposure_.duration_s();
+        const double allowed = whole_->exposing_->tracers.error * std::sqrt(std::max(share, 0.0));
+        Frame mean = sweep_apart(1);
+        for (int lines = 1; lines < kMostLines; lines *= 2) {
+            const Frame other = sweep_apart(lines);
+            const double error = 0.5 * root_mean_square_difference(mean, other);
+            for (std::size_t i = 0; i < mean.rgba.size(); ++i) {
+                for (std::size_t c = 0; c < 4; ++c) mean.rgba[i][c] = 0.5F * (mean.rgba[i][c] + other.rgba[i][c]);
+                mean.depth_m[i] = std::min(mean.depth_m[i], other.depth_m[i]);
+            }
+            if (error <= allowed) break;
+        }
+        const int width = view_->pattern.size.width;
+        for (int y = 0; y < mean.height; ++y) {
+            for (int x = 0; x < mean.width; ++x) {
+                const std::size_t i = mean.index(x, y);
+                const auto& [r, g, b, a] = mean.rgba[i];
+                whole_film->add(static_cast<std::size_t>(top_ + y) * static_cast<std::size_t>(width) +
+                                    static_cast<std::size_t>(left_ + x),
+                                1.0F, {{r, g, b}, a, mean.depth_m[i]});
+            }
+        }
+    }
+
+    // A picture of the tile alone, by lines that no other has been made of.
+    Frame sweep_apart(int lines) {
+        const bool is_x = pattern_.axis == DriftAxis::X;
+        const int across = rows_.end - rows_.begin, along = along_.end - along_.begin;
+        FilmFrame film(is_x ? along : across, is_x ? across : along);
+        film_ = &film;
+        film_width_ = is_x ? along : across;
+        film_left_ = left_;
+        film_top_ = top_;
+        pattern_.per_pixel = lines;
+        ++pattern_.set;
+        sweep();
+        return std::move(film).develop();
+    }
 
     // REQUIRES: open is a part of the exposure.
     void follow(const HomeRange& homes, TimeRange open) {
-        const TimeRange e = whole_->exposures_[exposure_];
-        const double shift_px = view_->px_per_s * (e.centre_s() - view_->when().centre_s());
-        lines_ = lines_of(view_->pattern, homes);
+        const double shift_px = view_->px_per_s * (exposure_.centre_s() - view_->when().centre_s());
+        lines_ = lines_of(pattern_, homes);
         samples_.clear();
-        for (const DriftingLine& line : lines_) samples_.push_back(sample_of(view_->pattern, line, shift_px));
+        for (const DriftingLine& line : lines_) samples_.push_back(sample_of(pattern_, line, shift_px));
         SurfaceSegmentLists lists;
         view_->tracer.trace(view_->prepared, samples_, {&open, 1}, lists, *counters_);
-        LightDeposits deposits(whole_->exposing_->shader, view_->camera(), whole_->films_);
+        LightDeposits deposits(whole_->exposing_->shader, view_->camera(), {&film_, 1});
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             for_each_stretch(lists.of(i), open, [&](const SurfaceSegment* seen, TimeRange stretch) {
                 deposit(lines_[i], {samples_[i].x, samples_[i].y, seen, lists.reflected}, stretch, deposits);
@@ -114,9 +187,9 @@ class DriftExposure::Tile {
     // To the pixels of the tile that the line passes meanwhile.
     void deposit(const DriftingLine& line, const SceneShader::Sighting& sighting, TimeRange stretch,
                  LightDeposits& deposits) const {
-        const TimeRange e = whole_->exposures_[exposure_];
+        const TimeRange e = exposure_;
         const double per_s = view_->px_per_s, s_per_px = 1.0 / per_s;
-        const double share_per_s = 1.0 / (e.duration_s() * view_->pattern.per_pixel);
+        const double share_per_s = 1.0 / (e.duration_s() * pattern_.per_pixel);
         const auto at_px = [&](double t) { return line.home_px + per_s * (t - e.centre_s()); };
         const auto time_at = [&](int px) { return e.centre_s() + (px - line.home_px) * s_per_px; };
         const int first = std::max(static_cast<int>(std::floor(at_px(stretch.begin_s))), along_.begin);
@@ -125,22 +198,25 @@ class DriftExposure::Tile {
             const TimeRange in_pixel = intersection(stretch, {time_at(px), time_at(px + 1)});
             if (in_pixel.duration_s() <= 0.0) continue;
             const double share = in_pixel.duration_s() * share_per_s;
-            deposits.add(exposure_, pixel(line.row, px), share, {sighting, in_pixel.centre_s(), in_pixel});
+            deposits.add(0, pixel(line.row, px), share, {sighting, in_pixel.centre_s(), in_pixel});
         }
     }
 
     [[nodiscard]] std::size_t pixel(int row, int along) const {
-        const bool is_x = view_->pattern.axis == DriftAxis::X;
-        const int x = is_x ? along : row, y = is_x ? row : along;
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(view_->pattern.size.width) +
-               static_cast<std::size_t>(x);
+        const bool is_x = pattern_.axis == DriftAxis::X;
+        const int x = (is_x ? along : row) - film_left_, y = (is_x ? row : along) - film_top_;
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(film_width_) + static_cast<std::size_t>(x);
     }
 
     const DriftExposure* whole_;
     const View* view_;
     TraceCounters* counters_;
+    LinePattern pattern_;
+    int left_, top_;
     Stretch rows_{}, along_{};
-    std::size_t exposure_ = 0;
+    TimeRange exposure_;
+    FilmFrame* film_ = nullptr;  // with this pixel of the picture first, and so wide
+    int film_left_ = 0, film_top_ = 0, film_width_;
     std::vector<DriftingLine> lines_;
     std::vector<ImageSample> samples_;
 };

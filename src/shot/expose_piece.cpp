@@ -122,8 +122,9 @@ void expose_drifting(const Exposing& exposing, const MotionPiece& piece, std::sp
         const std::vector<DriftExposure::Part> parts = exposure.parts();
         const auto run = [&](const DriftExposure::Part& part, TraceCounters& of_part) { exposure.run(part, of_part); };
         const auto some_done = [&](double share) {
-            const auto sweeps = static_cast<double>(exposures.size() / together);
-            if (progress) progress((static_cast<double>(first / together) + share) / sweeps);
+            if (progress)
+                progress((static_cast<double>(first) + share * static_cast<double>(together)) /
+                         static_cast<double>(exposures.size()));
         };
         run_all(exposing, std::span<const DriftExposure::Part>(parts), run, counters, some_done);
     }

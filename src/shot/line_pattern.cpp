@@ -22,7 +22,8 @@ struct Row {
     int next, end;  // numbers
 
     Row(const LinePattern& pattern, int of, const HomeRange& range) : row(of) {
-        const std::uint64_t hash = mixed(2 * static_cast<std::uint64_t>(of) + (pattern.axis == DriftAxis::X ? 0 : 1));
+        const std::uint64_t row_and_axis = 2 * static_cast<std::uint64_t>(of) + (pattern.axis == DriftAxis::X ? 0 : 1);
+        const std::uint64_t hash = mixed(row_and_axis ^ (static_cast<std::uint64_t>(pattern.set) << 32U));
         phase = unit_interval(static_cast<std::uint32_t>(hash >> 32U));
         seed = static_cast<std::uint32_t>(hash);
         next = static_cast<int>(std::ceil(range.from_px * pattern.per_pixel - phase));

@@ -19,6 +19,7 @@ struct LinePattern {
     PictureSize size;
     DriftAxis axis = DriftAxis::X;
     int per_pixel = 2;
+    int set = 0;  // other lines for each
 };
 
 // A part of the pattern: rows, or columns, and a stretch of them along the drift, both in pixels.

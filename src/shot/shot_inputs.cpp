@@ -79,10 +79,11 @@ std::string shot_inputs_hash(const ShotDocument& shot, const std::string& scene_
     text += fmt::format("image {}x{} {}\n", shot.image.width, shot.image.height, shot.image.transparent_sky);
     text += fmt::format("shutter {} {}\n", shot.shutter.angle.radians(), static_cast<int>(shot.shutter.phase));
     const TracerKind tracer = shot.sampling.tracer;
-    text += fmt::format("sampling {} {} {} {}\n", static_cast<int>(tracer),
+    text += fmt::format("sampling {} {} {} {} {}\n", static_cast<int>(tracer),
                         tracer != TracerKind::Discrete ? shot.sampling.lines : 0,
                         tracer == TracerKind::Discrete || tracer == TracerKind::Hybrid ? shot.sampling.samples : 0,
-                        tracer == TracerKind::Interval || tracer == TracerKind::Kinetic ? shot.sampling.drift_px : 0.0);
+                        tracer == TracerKind::Interval || tracer == TracerKind::Kinetic ? shot.sampling.drift_px : 0.0,
+                        shot.sampling.error);
     text += fmt::format("look {} {} {} {} {} {}\n", look.sun_azimuth.radians(), look.sun_elevation.radians(),
                         look.sun_strength, look.sky_strength, look.visibility_m, look.exposure_stops);
     text += fmt::format("motion {} mesh {}\n", shot.motion_bound_px, shot.mesh_pixel_error);

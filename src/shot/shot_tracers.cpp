@@ -8,6 +8,7 @@ ShotTracers::ShotTracers(const ShotDocument& shot, const Stage& stage, const Sho
     : lines_(shot.sampling.lines),
       samples_(shot.sampling.samples),
       drift_px_(shot.sampling.drift_px),
+      error_(shot.sampling.error),
       ground_(&stage.rays()) {
     const TracerKind kind = shot.sampling.tracer;
     std::optional<SunShadows> shadows;
@@ -28,6 +29,7 @@ TracerPair ShotTracers::pair() const {
             discrete_ ? &discrete_->tracer : nullptr,
             samples_,
             discrete_ ? 0.0 : drift_px_,
+            error_,
             ground_};
 }
 

@@ -31,7 +31,7 @@ class ShotTracers {
 
     std::optional<Part> continuous_, discrete_;
     int lines_, samples_;
-    double drift_px_;
+    double drift_px_, error_;
     const RayScene* ground_;
 };
 

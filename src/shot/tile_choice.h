@@ -18,6 +18,7 @@ struct TracerPair {
     int samples = 64;  // per pixel
     // How far lines drift over the picture during an exposure; 0: they stand still. With it, what they see.
     double drift_px = 0.0;
+    double error = 0.0;  // that drifting lines are added for until they reach it; 0: `lines` it is
     const RayScene* ground = nullptr;
 };
 

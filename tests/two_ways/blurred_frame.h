@@ -39,6 +39,7 @@ struct FrameMaker {
     inline static const ShotBodies kNobody;
 
     double drift_px = 0.0;  // of lines
+    double error = 0.0;     // that they have to reach
 
     // Some of a shot's frames in one go.
     [[nodiscard]] std::vector<Frame> expose_some(TracerKind kind, int lines, int samples,
@@ -49,6 +50,7 @@ struct FrameMaker {
         asked.sampling.lines = lines;
         asked.sampling.samples = samples;
         asked.sampling.drift_px = drift_px;
+        asked.sampling.error = error;
         const ShotTracers tracers(asked, stage, bodies, sight);
         std::vector<ShadedBody> shaded;
         for (const auto& body : bodies)

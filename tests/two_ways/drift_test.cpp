@@ -67,6 +67,21 @@ TEST_F(DriftingLines, MakeASharpFrameSmooth) {
     EXPECT_LT(error, sampled);
 }
 
+// The ground is banded, harder than any landscape; its tiles get as many lines as it takes.
+TEST_F(DriftingLines, ReachTheErrorThatIsAskedFor) {
+    const Frame reference = maker(0.0).by_samples(1024);
+    for (const double asked : {0.008, 0.004}) {
+        FrameMaker make = maker(8.0);
+        make.error = asked;
+        const Frame frame = make.by_kinetic_lines(1);
+        expect_covered(frame);
+        const double error = root_mean_square_error(frame, reference);
+        std::cout << "asked for an error of " << asked << ": RMSE " << error << "\n";
+        EXPECT_LT(error, 1.25 * asked);
+        EXPECT_GT(error, 0.2 * asked);
+    }
+}
+
 TEST_F(DriftingLines, MakeTheSamePixelsForAnyNumberOfThreads) {
     const int before = thread_limit();
     limit_threads(1);
