@@ -198,7 +198,16 @@ class DriftExposure::Tile {
             const TimeRange in_pixel = intersection(stretch, {time_at(px), time_at(px + 1)});
             if (in_pixel.duration_s() <= 0.0) continue;
             const double share = in_pixel.duration_s() * share_per_s;
-            deposits.add(0, pixel(line.row, px), share, {sighting, in_pixel.centre_s(), in_pixel});
+            if (sighting.seen != nullptr) {
+                deposits.add(0, pixel(line.row, px), share, {sighting, in_pixel.centre_s(), in_pixel});
+                continue;
+            }
+            // Where the round Earth ends before the sky no triangle does: this edge is found by looking, at another
+            // place for each line.
+            for (const double half : {0.0, 0.5}) {
+                const double time_s = in_pixel.begin_s + (half + 0.5 * line.phase) * in_pixel.duration_s();
+                deposits.add(0, pixel(line.row, px), 0.5 * share, {sighting, time_s, {}});
+            }
         }
     }
 

@@ -30,8 +30,10 @@ struct Row {
         end = static_cast<int>(std::ceil(range.to_px * pattern.per_pixel - phase));
     }
     [[nodiscard]] DriftingLine line(int k, int per_pixel) const {
-        const std::uint32_t across = owen_scrambled(reversed_bits(static_cast<std::uint32_t>(k)), seed);
-        return {row, (k + phase) / per_pixel, unit_interval(across)};
+        const auto number = static_cast<std::uint32_t>(k);
+        const std::uint32_t across = owen_scrambled(sobol(number, 0), seed);
+        const std::uint32_t other = owen_scrambled(sobol(number, 1), ~seed);
+        return {row, (k + phase) / per_pixel, unit_interval(across), unit_interval(other)};
     }
 };
 

@@ -32,6 +32,7 @@ struct DriftingLine {
     int row = 0;  // of pixels; column, where the drift is along y
     double home_px = 0.0;
     double across_px = 0.0;  // from the row's own begin, in [0, 1)
+    double phase = 0.0;      // another number in [0, 1), stratified with that one
 };
 
 // In an order in which sixteen that follow each other lie close together.
