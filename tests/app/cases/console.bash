@@ -126,7 +126,7 @@ case_any_names_and_folders() {
 # Plain lines now and then where standard error is no terminal, so that a log stays readable.
 case_progress_in_plain_lines() {
     small_shot
-    sed -i 's/count: 6/rate: 48/; s/lines: 1/lines: 64/' shot.yaml
+    sed -i 's/count: 6/rate: 48/; s/lines: 1/lines: 32/' shot.yaml
     "$OVERFLY" render shot.yaml >stdout 2>stderr &
     local render=$!
     wait_until 200 grep -q 'frames/s' stderr

@@ -3,7 +3,7 @@
 # A render that takes long enough to be stopped in the middle, in the background; its process id is in $render.
 start_long_render() {
     small_shot
-    sed -i 's/count: 6/rate: 48/; s/lines: 1/lines: 32/' shot.yaml
+    sed -i 's/count: 6/rate: 48/; s/lines: 1/lines: 16/' shot.yaml
     "$OVERFLY" render shot.yaml >stdout 2>stderr &
     render=$!
 }
