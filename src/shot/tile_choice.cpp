@@ -13,7 +13,7 @@ constexpr std::size_t kRun = 4;
 // a hover to a fast pan; the command is in docs/method.md.
 constexpr double kBoxTest_ns = 20.0;
 constexpr double kTriangleTest_ns = 150.0;
-constexpr double kSegment_ns = 70.0;   // sorting it, and its light
+constexpr double kSegment_ns = 70.0;    // sorting it, and its light
 constexpr double kCrossing_ns = 400.0;  // from one triangle to another while the shutter is open: roots
 constexpr double kSample_ns = 125.0;    // a ray, and its light
 
