@@ -17,6 +17,9 @@ namespace overfly {
     return x ^ (x >> 31U);
 }
 
+// A number in [0, 1) for each seed.
+[[nodiscard]] constexpr double uniform(std::uint64_t seed) { return 0x1p-53 * static_cast<double>(mixed(seed) >> 11U); }
+
 [[nodiscard]] constexpr std::uint32_t reversed_bits(std::uint32_t x) {
     x = (x >> 16U) | (x << 16U);
     x = ((x & 0xff00ff00U) >> 8U) | ((x & 0x00ff00ffU) << 8U);

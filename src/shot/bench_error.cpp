@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "film/frame_error.h"
 #include "shot/drift_exposure.h"
 
 namespace overfly {

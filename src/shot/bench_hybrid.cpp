@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "film/frame_error.h"
 #include "shot/bench_scene.h"
 
 namespace overfly {

@@ -1,7 +1,6 @@
 #include "shot/bench_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "shot/processor_time.h"
@@ -79,21 +78,6 @@ Exposed expose(const Exposing& exposing, const BenchWork& work) {
     out.seconds = processor_seconds() - start_s;
     for (FilmFrame& film : films) out.frames.push_back(std::move(film).develop());
     return out;
-}
-
-double root_mean_square(const Frame& a, const Frame& b, const WantedTile& where) {
-    double sum = 0.0;
-    std::size_t pixels = 0;
-    for (std::size_t i = 0; i < a.rgba.size(); ++i) {
-        const int x = static_cast<int>(i) % a.width, y = static_cast<int>(i) / a.width;
-        if (where && !where(x, y)) continue;
-        ++pixels;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double difference = static_cast<double>(a.rgba[i][c]) - static_cast<double>(b.rgba[i][c]);
-            sum += difference * difference;
-        }
-    }
-    return std::sqrt(sum / (3.0 * static_cast<double>(pixels)));
 }
 
 }  // namespace overfly

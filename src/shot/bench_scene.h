@@ -77,7 +77,4 @@ struct Exposed {
 };
 [[nodiscard]] Exposed expose(const Exposing& exposing, const BenchWork& work);
 
-// Of the differences of all colours of two pictures, in those pixels that `where` has (all, if it is empty).
-[[nodiscard]] double root_mean_square(const Frame& a, const Frame& b, const WantedTile& where = {});
-
 }  // namespace overfly

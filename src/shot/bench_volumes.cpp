@@ -1,10 +1,10 @@
 #include "shot/bench_volumes.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <vector>
 
+#include "core/stopwatch.h"
 #include "trace/film_box.h"
 #include "trace/inflated.h"
 
@@ -55,10 +55,9 @@ VolumeComparison compare_volumes(const TriangleMesh& mesh, const IntervalTracer&
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const MotionPiece& piece = pieces[k];
         if (progress) progress("comparing the volumes", static_cast<double>(k), static_cast<double>(pieces.size()));
-        const auto start = std::chrono::steady_clock::now();  // by all threads
+        const Stopwatch watch;  // of all threads
         const InflatedTracer inflated(mesh, piece, {1.0, size.film_y(size.height)});
-        const std::chrono::duration<double> build = std::chrono::steady_clock::now() - start;
-        result.inflated_build_s += build.count() / static_cast<double>(pieces.size());
+        result.inflated_build_s += watch.seconds() / static_cast<double>(pieces.size());
         const std::vector<TimeRange> parts = parts_of(piece);
         for (const ImageSample& sample : samples) {
             const std::span one(&sample, 1);

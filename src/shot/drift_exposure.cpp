@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "film/frame_error.h"
 #include "film/integrate.h"
 #include "shot/drifting_sight.h"
 #include "shot/light_deposits.h"
@@ -18,17 +19,6 @@ constexpr double kFar_m = 1e6;
 
 // Of an error that can't be reached, and is far below what anyone sees.
 constexpr int kMostLines = 64;
-
-double root_mean_square_difference(const Frame& a, const Frame& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.rgba.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double d = static_cast<double>(a.rgba[i][c]) - static_cast<double>(b.rgba[i][c]);
-            sum += d * d;
-        }
-    }
-    return std::sqrt(sum / (3.0 * static_cast<double>(a.rgba.size())));
-}
 
 // A part of an exposure that is no more than rounding, where it ends as a piece begins.
 constexpr double kLeastShare = 1e-9;
@@ -60,7 +50,7 @@ struct DriftExposure::View {
 
   private:
     [[nodiscard]] FilmDrift drift_of(PictureSize size, TimeRange over) const {
-        const double rate = px_per_s * 2.0 / size.width;
+        const double rate = px_per_s * size.film_per_px();
         if (pattern.axis == DriftAxis::X) return {rate, 0.0, over.centre_s()};
         return {0.0, rate, over.centre_s()};
     }
@@ -69,7 +59,7 @@ struct DriftExposure::View {
     // `over`.
     [[nodiscard]] FilmBounds film_bounds(TimeRange over, double drift_px) const {
         FilmBounds b = pattern.size.film_bounds();
-        const double margin = (0.5 * px_per_s * over.duration_s() + drift_px) * 2.0 / pattern.size.width;
+        const double margin = (0.5 * px_per_s * over.duration_s() + drift_px) * pattern.size.film_per_px();
         (pattern.axis == DriftAxis::X ? b.low_x : b.low_y) -= margin;
         (pattern.axis == DriftAxis::X ? b.high_x : b.high_y) += margin;
         return b;
@@ -134,7 +124,7 @@ class DriftExposure::Tile {
         Frame mean = sweep_apart(1);
         for (int lines = 1; lines < kMostLines; lines *= 2) {
             const Frame other = sweep_apart(lines);
-            const double error = 0.5 * root_mean_square_difference(mean, other);
+            const double error = 0.5 * root_mean_square(mean, other);
             for (std::size_t i = 0; i < mean.rgba.size(); ++i) {
                 for (std::size_t c = 0; c < 4; ++c) mean.rgba[i][c] = 0.5F * (mean.rgba[i][c] + other.rgba[i][c]);
                 mean.depth_m[i] = std::min(mean.depth_m[i], other.depth_m[i]);

@@ -1,13 +1,13 @@
 #include "shot/flight_scene.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/stopwatch.h"
 #include "flight/motion.h"
 #include "io/content_hash.h"
 #include "shot/frame_plan.h"
@@ -78,7 +78,7 @@ ClosestApproach approach_of(const ShotDocument& shot, const CameraPath& path, co
 
 FlightMeshReport fit_mesh_to_flight(Stage& stage, const ShotDocument& shot, const CameraPath& path,
                                     const std::filesystem::path& cache_folder, const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     FlightMeshReport report;
     report.triangles_before = report.triangles = stage.full_mesh().triangles.size();
     if (shot.mesh_pixel_error == 0.0) return report;
@@ -96,7 +96,7 @@ FlightMeshReport fit_mesh_to_flight(Stage& stage, const ShotDocument& shot, cons
         try_to_save_scene(file, {hash, full.origin, full.report, stage.mesh(), report.largest_error_px});
     }
     report.triangles = stage.mesh().triangles.size();
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report.seconds = watch.seconds();
     return report;
 }
 

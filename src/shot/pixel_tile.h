@@ -15,6 +15,7 @@ struct PictureSize {
 
     [[nodiscard]] double film_x(double x_px) const { return 2.0 * x_px / width - 1.0; }
     [[nodiscard]] double film_y(double y_px) const { return (2.0 * y_px - height) / width; }
+    [[nodiscard]] double film_per_px() const { return 2.0 / width; }
     [[nodiscard]] FilmBounds film_bounds() const { return {film_x(0), film_x(width), film_y(0), film_y(height)}; }
 };
 

@@ -1,7 +1,6 @@
 #include "shot/prepare_scene.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "io/content_hash.h"
 #include "io/elevation_file.h"
 #include "io/elevation_inputs.h"
@@ -77,7 +77,7 @@ void try_to_save_scene(const std::filesystem::path& file, const PreparedScene& s
 
 PreparedTerrain prepare_terrain(const TerrainDocument& document, const std::filesystem::path& cache_folder,
                                 const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const std::vector<std::filesystem::path> inputs = elevation_inputs(document.source);
     const std::string hash = content_hash(inputs, settings_of(document.source));
     const std::filesystem::path file = cached_scene_file(cache_folder, hash);
@@ -91,7 +91,7 @@ PreparedTerrain prepare_terrain(const TerrainDocument& document, const std::file
         terrain.scene.content_hash = hash;
         try_to_save_scene(file, terrain.scene);
     }
-    terrain.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    terrain.seconds = watch.seconds();
     return terrain;
 }
 

@@ -8,14 +8,13 @@
 
 #include "core/low_discrepancy.h"
 #include "core/parallel.h"
+#include "trace/film_distance.h"
 #include "trace/line.h"
 
 namespace overfly {
 namespace {
 
 constexpr long kPairsInTask = 1000;
-
-double uniform(std::uint64_t seed) { return 0x1p-53 * static_cast<double>(mixed(seed) >> 11U); }
 
 // One question to both tracers.
 struct Pair {
@@ -28,23 +27,6 @@ struct Pair {
         return {piece->reference, piece->origin.at(u), piece->direction_at(u, sample.x, sample.y)};
     }
 };
-
-// On the film, from the sample to the nearest side of the triangle, sides taken as lines. Where an edge appears, its
-// function is zero, and it is linear in the film coordinates.
-double film_distance_to_sides(const TriangleMesh& mesh, TriangleId triangle, const Pair& pair) {
-    const double u = pair.piece->u_at(pair.time_s);
-    const Line line = pair.line();
-    const auto& corner = mesh.triangles[triangle];
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vector<Scene> a = mesh.positions[corner[k]] - line.reference - line.origin;
-        const Vector<Scene> b = mesh.positions[corner[(k + 1) % 3]] - line.reference - line.origin;
-        const Vector<Scene> plane = cross(a, b);
-        const double slope = std::hypot(dot(plane, pair.piece->right.at(u)), dot(plane, pair.piece->down.at(u)));
-        nearest = std::min(nearest, std::abs(dot(plane, line.direction)) / slope);
-    }
-    return nearest;
-}
 
 TriangleId seen_by(const IntervalTracer& tracer, const Pair& pair) {
     SegmentLists lists;
@@ -73,7 +55,9 @@ void count(const TriangleMesh& mesh, const Pair& pair, TriangleId a, TriangleId 
     }
     double film = std::numeric_limits<double>::infinity();
     for (const TriangleId t : {a, b}) {
-        if (t != kNone) film = std::min(film, film_distance_to_sides(mesh, t, pair));
+        if (t != kNone)
+            film = std::min(film,
+                            film_distance_to_sides(mesh, t, *pair.piece, pair.sample, pair.piece->u_at(pair.time_s)));
     }
     ++(film <= kNearEdge_px * film_per_px ? agreement.near_edge : agreement.unexplained);
 }

@@ -118,15 +118,7 @@ class Batch {
     void aim() {
         const Vector<Scene> reference = piece_->reference - scene_->float_centre();
         for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
-            const Vector<Scene> o = reference + piece_->origin.at(u_[i]);
-            const Vector<Scene> d = piece_->direction_at(u_[i], x_[i], y_[i]);
-            packet_.origin_x[i] = static_cast<float>(o.x);
-            packet_.origin_y[i] = static_cast<float>(o.y);
-            packet_.origin_z[i] = static_cast<float>(o.z);
-            packet_.direction_x[i] = static_cast<float>(d.x);
-            packet_.direction_y[i] = static_cast<float>(d.y);
-            packet_.direction_z[i] = static_cast<float>(d.z);
-            packet_.valid[i] = i < count_ ? -1 : 0;
+            packet_.aim(i, reference + piece_->origin.at(u_[i]), piece_->direction_at(u_[i], x_[i], y_[i]), i < count_);
         }
         if (start_ != nullptr) begin_at_start();
     }

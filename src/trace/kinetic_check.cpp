@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 
 #include "core/low_discrepancy.h"
 #include "flight/motion.h"
 #include "trace/agreement.h"
 #include "trace/discrete.h"
+#include "trace/film_distance.h"
 
 namespace overfly {
 namespace {
@@ -18,8 +18,6 @@ std::uint64_t seed_of(const ImageSample& sample, TimeRange when) {
     seed = mixed(seed ^ std::bit_cast<std::uint64_t>(sample.y));
     return mixed(seed ^ std::bit_cast<std::uint64_t>(when.begin_s));
 }
-
-double uniform(std::uint64_t seed) { return 0x1p-53 * static_cast<double>(mixed(seed) >> 11U); }
 
 TriangleId seen_at(std::span<const VisibleSegment> segments, double time_s) {
     const auto after =
@@ -51,22 +49,6 @@ void TraceCheck::run(const MotionPiece& piece, std::span<const ImageSample> samp
         }
         if (nearest <= kNearEdge_px * film_per_px_) ++counters.differed_by_edge;
     }
-}
-
-// Where an edge appears, its function is zero, and it is linear in the film coordinates.
-double film_distance_to_sides(const TriangleMesh& mesh, TriangleId triangle, const MotionPiece& piece,
-                              const ImageSample& sample, double u) {
-    const auto& corner = mesh.triangles[triangle];
-    const Vector<Scene> direction = piece.direction_at(u, sample.x, sample.y);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vector<Scene> a = mesh.positions[corner[k]] - piece.origin_at(u);
-        const Vector<Scene> b = mesh.positions[corner[(k + 1) % 3]] - piece.origin_at(u);
-        const Vector<Scene> plane = cross(a, b);
-        const double slope = std::hypot(dot(plane, piece.right.at(u)), dot(plane, piece.down.at(u)));
-        nearest = std::min(nearest, std::abs(dot(plane, direction)) / slope);
-    }
-    return nearest;
 }
 
 }  // namespace overfly

@@ -36,14 +36,7 @@ struct Nearest {
 void aim(const PaperCamera& camera, Vector<Scene> gone, int row, int column, RayPacket& packet) {
     for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
         const int at = column + static_cast<int>(i);
-        const Vector<Scene> d = camera.direction(row, at);
-        packet.origin_x[i] = static_cast<float>(-gone.x);
-        packet.origin_y[i] = static_cast<float>(-gone.y);
-        packet.origin_z[i] = static_cast<float>(-gone.z);
-        packet.direction_x[i] = static_cast<float>(d.x);
-        packet.direction_y[i] = static_cast<float>(d.y);
-        packet.direction_z[i] = static_cast<float>(d.z);
-        packet.valid[i] = at < camera.columns ? -1 : 0;
+        packet.aim(i, -gone, camera.direction(row, at), at < camera.columns);
     }
 }
 

@@ -28,6 +28,17 @@ struct RayPacket {
     alignas(64) Lane<float> depth{};                             // in lengths of the direction
     alignas(64) Lane<float> u{}, v{};                            // barycentric, of corners 1 and 2
     alignas(64) Lane<float> normal_x{}, normal_y{}, normal_z{};  // not normalised: twice the triangle's area long
+
+    // origin: relative to the scene's float_centre.
+    void aim(std::size_t lane, Vector<Scene> origin, Vector<Scene> direction, bool is_valid) {
+        origin_x[lane] = static_cast<float>(origin.x);
+        origin_y[lane] = static_cast<float>(origin.y);
+        origin_z[lane] = static_cast<float>(origin.z);
+        direction_x[lane] = static_cast<float>(direction.x);
+        direction_y[lane] = static_cast<float>(direction.y);
+        direction_z[lane] = static_cast<float>(direction.z);
+        valid[lane] = is_valid ? -1 : 0;
+    }
 };
 
 // What one ray found.

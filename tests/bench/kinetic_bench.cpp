@@ -20,8 +20,8 @@
 #include "shot/prepare_scene.h"
 #include "shot/processor_time.h"
 #include "shot/stage.h"
+#include "trace/film_distance.h"
 #include "trace/kinetic.h"
-#include "trace/kinetic_check.h"
 
 namespace overfly {
 namespace {
@@ -54,15 +54,7 @@ double embree_seconds(const RayScene& scene, const MotionPiece& piece, const std
                 for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
                     const ImageSample& s = tile.samples[first + i];
                     const double u = piece.u_at(exposure.begin_s + s.phase * exposure.duration_s());
-                    const Vector<Scene> o = reference + piece.origin.at(u);
-                    const Vector<Scene> d = piece.direction_at(u, s.x, s.y);
-                    packet.origin_x[i] = static_cast<float>(o.x);
-                    packet.origin_y[i] = static_cast<float>(o.y);
-                    packet.origin_z[i] = static_cast<float>(o.z);
-                    packet.direction_x[i] = static_cast<float>(d.x);
-                    packet.direction_y[i] = static_cast<float>(d.y);
-                    packet.direction_z[i] = static_cast<float>(d.z);
-                    packet.valid[i] = -1;
+                    packet.aim(i, reference + piece.origin.at(u), piece.direction_at(u, s.x, s.y), true);
                 }
             }
         }

@@ -23,11 +23,11 @@ TEST_F(BlurError, SixteenLinesAreWithinFourThousandths) {
     const Sight sight = sight_of(motion_over(document, stage, {0.01, 240, 135, 1.0 / 6.0}));
     const FrameMaker maker = {stage, sight, {240, 135}, {1.0, 1.0 + 1.0 / 48.0}};
     const Frame reference = maker.by_samples(1024);
-    const double error = root_mean_square_error(maker.by_lines(16), reference);
+    const double error = root_mean_square(maker.by_lines(16), reference);
     std::cout << "RMSE of 16 lines against 1,024 samples: " << error << "\n";
     EXPECT_LT(error, 0.004);
     // Beside it, so that the bound means something: as many samples as lines are worse.
-    EXPECT_LT(error, root_mean_square_error(maker.by_samples(16), reference));
+    EXPECT_LT(error, root_mean_square(maker.by_samples(16), reference));
 }
 
 // On a mesh made for the flight a line sweeps many cells of the raster, and their light, within one triangle.
@@ -45,7 +45,7 @@ TEST_F(BlurError, SixteenLinesAreAsGoodOnFewTriangles) {
     EXPECT_LT(mesh.triangles, mesh.triangles_before / 10);
     const Sight sight = sight_of(motion_over(document, stage, {0.01, 240, 135, 1.0 / 6.0}));
     const FrameMaker maker = {stage, sight, {240, 135}, {1.0, 1.0 + 1.0 / 48.0}};
-    const double error = root_mean_square_error(maker.by_lines(16), maker.by_samples(1024));
+    const double error = root_mean_square(maker.by_lines(16), maker.by_samples(1024));
     std::cout << "RMSE of 16 lines against 1,024 samples: " << error << "\n";
     EXPECT_LT(error, 0.004);
 }
@@ -57,7 +57,7 @@ TEST_F(BlurError, KineticLinesAreTheIntervalTracers) {
     const Stage stage(std::move(blanca), middle_of(document));
     const Sight sight = sight_of(motion_over(document, stage, {0.01, 160, 90, 1.0 / 6.0}));
     const FrameMaker maker = {stage, sight, {160, 90}, {1.0, 1.0 + 1.0 / 48.0}};
-    EXPECT_LT(root_mean_square_error(maker.by_kinetic_lines(8), maker.by_lines(8)), 1e-3);
+    EXPECT_LT(root_mean_square(maker.by_kinetic_lines(8), maker.by_lines(8)), 1e-3);
 }
 
 // An instant: no blur, so lines and samples at the same places see the same.
@@ -69,7 +69,7 @@ TEST_F(BlurError, AnInstantIsTheSameForBothTracers) {
     const FrameMaker maker = {stage, sight, {160, 90}, {0.7, 0.7}};
     const Frame lines = maker.by_lines(4);
     const Frame samples = maker.by_samples(4);
-    EXPECT_LT(root_mean_square_error(lines, samples), 1e-5);
+    EXPECT_LT(root_mean_square(lines, samples), 1e-5);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "film/film_frame.h"
+#include "film/frame_error.h"
 #include "shot/expose_piece.h"
 #include "shot/shot_tracers.h"
 #include "two_ways/terrain_flights.h"
@@ -89,18 +89,6 @@ inline Sight sight_of(Motion motion) {
     Sight sight;
     sight.motions.push_back(std::move(motion));
     return sight;
-}
-
-// Of red, green and blue together, in shares of full scale (linear 1).
-inline double root_mean_square_error(const Frame& a, const Frame& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.rgba.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double difference = static_cast<double>(a.rgba[i][c]) - static_cast<double>(b.rgba[i][c]);
-            sum += difference * difference;
-        }
-    }
-    return std::sqrt(sum / (3.0 * static_cast<double>(a.rgba.size())));
 }
 
 }  // namespace overfly::testing

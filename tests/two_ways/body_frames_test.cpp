@@ -74,17 +74,17 @@ TEST_F(BodyFrames, SixteenLinesAreWithinFourThousandths) {
     const Sight seen = sight();
     const FrameMaker make = maker(seen);
     const Frame reference = make.by_samples(1024);
-    const double error = root_mean_square_error(make.by_lines(16), reference);
+    const double error = root_mean_square(make.by_lines(16), reference);
     std::cout << "RMSE of 16 lines against 1,024 samples, bodies, mirror and shadows: " << error << "\n";
     EXPECT_LT(error, 0.004);
-    EXPECT_LT(error, root_mean_square_error(make.by_samples(16), reference));
+    EXPECT_LT(error, root_mean_square(make.by_samples(16), reference));
 }
 
 // The kinetic tracer follows the ground, the interval tracer bodies and what is in mirrors.
 TEST_F(BodyFrames, AreTheSameWithTheKineticTracer) {
     const Sight seen = sight();
     const FrameMaker make = maker(seen);
-    EXPECT_LT(root_mean_square_error(make.by_kinetic_lines(4), make.by_lines(4)), 1e-3);
+    EXPECT_LT(root_mean_square(make.by_kinetic_lines(4), make.by_lines(4)), 1e-3);
 }
 
 // Without them the picture is another, so that the test above has something to see.
@@ -98,9 +98,9 @@ TEST_F(BodyFrames, BodiesMirrorsAndShadowsAreInThePicture) {
     const Frame no_mirror = maker(blind).by_lines(2);
     shot_.look.sun_shadows = SunShadows::Baked;
     const Frame no_mountain_shadows = maker(blind).by_lines(2);
-    EXPECT_GT(root_mean_square_error(all, no_shadows), 0.005);
-    EXPECT_GT(root_mean_square_error(no_shadows, no_mirror), 0.005);
-    EXPECT_GT(root_mean_square_error(no_mirror, no_mountain_shadows), 0.002);
+    EXPECT_GT(root_mean_square(all, no_shadows), 0.005);
+    EXPECT_GT(root_mean_square(no_shadows, no_mirror), 0.005);
+    EXPECT_GT(root_mean_square(no_mirror, no_mountain_shadows), 0.002);
 }
 
 }  // namespace

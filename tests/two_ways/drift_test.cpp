@@ -41,9 +41,9 @@ TEST_F(DriftingLines, AreNearerToTheTruthThanLinesAtRest) {
     for (const int lines : {1, 2, 4}) {
         const Frame drifting = maker(8.0).by_kinetic_lines(lines);
         expect_covered(drifting);
-        const double error = root_mean_square_error(drifting, reference);
-        const double at_rest = root_mean_square_error(maker(0.0).by_kinetic_lines(lines), reference);
-        const double sampled = root_mean_square_error(maker(0.0).by_samples(16 * lines), reference);
+        const double error = root_mean_square(drifting, reference);
+        const double at_rest = root_mean_square(maker(0.0).by_kinetic_lines(lines), reference);
+        const double sampled = root_mean_square(maker(0.0).by_samples(16 * lines), reference);
         std::cout << lines << " lines: RMSE " << error << ", at rest " << at_rest << ", " << 16 * lines << " samples "
                   << sampled << "\n";
         EXPECT_LT(error, 0.7 * at_rest);
@@ -52,7 +52,7 @@ TEST_F(DriftingLines, AreNearerToTheTruthThanLinesAtRest) {
 }
 
 TEST_F(DriftingLines, OfBothTracersMakeTheSamePicture) {
-    EXPECT_LT(root_mean_square_error(maker(8.0).by_kinetic_lines(2), maker(8.0).by_lines(2)), 1e-3);
+    EXPECT_LT(root_mean_square(maker(8.0).by_kinetic_lines(2), maker(8.0).by_lines(2)), 1e-3);
 }
 
 // Swept while the world stands still: against as many samples of the same instant as make a sharp edge smooth.
@@ -61,8 +61,8 @@ TEST_F(DriftingLines, MakeASharpFrameSmooth) {
     const Frame reference = maker(0.0, instant).by_samples(1024);
     const Frame swept = maker(8.0, instant).by_kinetic_lines(2);
     expect_covered(swept);
-    const double error = root_mean_square_error(swept, reference);
-    const double sampled = root_mean_square_error(maker(0.0, instant).by_samples(16), reference);
+    const double error = root_mean_square(swept, reference);
+    const double sampled = root_mean_square(maker(0.0, instant).by_samples(16), reference);
     std::cout << "a sharp frame: 2 lines RMSE " << error << ", 16 samples " << sampled << "\n";
     EXPECT_LT(error, sampled);
 }
@@ -75,7 +75,7 @@ TEST_F(DriftingLines, ReachTheErrorThatIsAskedFor) {
         make.error = asked;
         const Frame frame = make.by_kinetic_lines(1);
         expect_covered(frame);
-        const double error = root_mean_square_error(frame, reference);
+        const double error = root_mean_square(frame, reference);
         std::cout << "asked for an error of " << asked << ": RMSE " << error << "\n";
         EXPECT_LT(error, 1.25 * asked);
         EXPECT_GT(error, 0.2 * asked);

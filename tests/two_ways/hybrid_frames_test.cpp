@@ -60,9 +60,9 @@ TEST_F(HybridFrames, TheErrorIsThatOfLinesOrSamples) {
     EXPECT_LT(followed, tiles_of(kSize).size() * 9 / 10);
     const FrameMaker make = maker();
     const Frame reference = make.by_samples(1024);
-    const double lines = root_mean_square_error(make.by_lines(kLines), reference);
-    const double samples = root_mean_square_error(make.by_samples(kSamples), reference);
-    const double both = root_mean_square_error(by_both(), reference);
+    const double lines = root_mean_square(make.by_lines(kLines), reference);
+    const double samples = root_mean_square(make.by_samples(kSamples), reference);
+    const double both = root_mean_square(by_both(), reference);
     std::cout << "RMSE against 1,024 samples: " << kLines << " lines " << lines << ", " << kSamples << " samples "
               << samples << ", hybrid " << both << ", by lines in " << followed << " tiles of "
               << tiles_of(kSize).size() << "\n";

@@ -71,7 +71,7 @@ TEST(SharedTerrainBlur, SixteenLinesAtFullSize) {
     const Sight sight = sight_of(motion_over(document, stage, {0.01, 960, 540, 1.0 / 6.0}));
     const FrameMaker maker = {stage, sight, {960, 540}, {1.0, 1.0 + 1.0 / 48.0}};
     const Frame reference = maker.by_samples(1024);
-    const double error = root_mean_square_error(maker.by_lines(16), reference);
+    const double error = root_mean_square(maker.by_lines(16), reference);
     std::cout << "RMSE of 16 lines against 1,024 samples: " << error << "\n";
     EXPECT_LT(error, 0.004);
 }
