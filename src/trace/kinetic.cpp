@@ -36,12 +36,7 @@ void KineticTracer::trace(const KineticPiece& piece, std::span<const ImageSample
         for (std::size_t i = 0; i < samples.size(); ++i) out.end_sample();
         return;
     }
-    follow({&piece, *when}, samples, {}, out, counters);
-}
-
-void KineticTracer::trace(const KineticPiece& piece, std::span<const ImageSample> samples, std::span<TriangleId> seen,
-                          SegmentLists& out, TraceCounters& counters) const {
-    follow({&piece, piece.motion().when}, samples, seen, out, counters);
+    follow({&piece, *when}, samples, out, counters);
 }
 
 // From one instant to the next it is as far as a ray is long: nothing is gained by following.
@@ -56,16 +51,16 @@ void KineticTracer::look(const MotionPiece& piece, std::span<const ImageSample> 
     }
 }
 
-void KineticTracer::follow(const Following& what, std::span<const ImageSample> samples, std::span<TriangleId> seen,
-                           SegmentLists& out, TraceCounters& counters) const {
+void KineticTracer::follow(const Following& what, std::span<const ImageSample> samples, SegmentLists& out,
+                           TraceCounters& counters) const {
     if (samples.empty()) return;
     counters.rays += samples.size();
     const std::size_t before = out.segments.size();
     const MotionPiece& motion = what.piece->motion();
     const PieceStretch stretch = {&motion, motion.u_at(what.when.begin_s), motion.u_at(what.when.end_s), what.when};
     // Memory that each thread keeps: fresh pages for each call would take longer than the walk.
-    thread_local KineticWalk::Scratch scratch;
-    KineticWalk(*scene_, *what.piece, stretch, scratch, counters).follow(samples, seen, out);
+    thread_local WalkingSamples walking;
+    KineticWalk(*scene_, *what.piece, stretch, samples, walking, counters).follow(out);
     counters.segments += out.segments.size() - before;
     if (check_) check_->run(motion, samples, what.when, out, counters);
 }

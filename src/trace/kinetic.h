@@ -5,7 +5,6 @@
 
 #include "trace/kinetic_check.h"
 #include "trace/kinetic_piece.h"
-#include "trace/kinetic_start.h"
 #include "trace/ray_scene.h"
 #include "trace/visible_segment.h"
 
@@ -35,12 +34,6 @@ class KineticTracer {
     void trace(const KineticPiece& piece, std::span<const ImageSample> samples, std::span<const TimeRange> exposures,
                SegmentLists& out, TraceCounters& counters) const;
 
-    // The same for who traces piece after piece with the same samples, and so need not ask rays at each begin: `seen`
-    // is what each sample sees at the begin of the piece, kNotKnown where that has to be found out, and is made what it
-    // sees at the end. The whole piece is followed.
-    void trace(const KineticPiece& piece, std::span<const ImageSample> samples, std::span<TriangleId> seen,
-               SegmentLists& out, TraceCounters& counters) const;
-
     // The same for whoever has few samples: prepares the piece for them alone, which takes as long as the mesh is
     // large.
     void trace(const MotionPiece& piece, std::span<const ImageSample> samples, std::span<const TimeRange> exposures,
@@ -53,8 +46,8 @@ class KineticTracer {
     };
     void look(const MotionPiece& piece, std::span<const ImageSample> samples, std::span<const TimeRange> exposures,
               SegmentLists& out, TraceCounters& counters) const;
-    void follow(const Following& what, std::span<const ImageSample> samples, std::span<TriangleId> seen,
-                SegmentLists& out, TraceCounters& counters) const;
+    void follow(const Following& what, std::span<const ImageSample> samples, SegmentLists& out,
+                TraceCounters& counters) const;
 
     const RayScene* scene_;
     KineticMesh mesh_;

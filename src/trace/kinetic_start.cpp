@@ -31,21 +31,17 @@ void look_roughly(const RayScene& scene, const MotionPiece& piece, double u, std
     RayPacket::Lane<float> y{};
     for (std::size_t first = 0; first < samples.size(); first += RayPacket::kSize) {
         const std::size_t count = std::min(RayPacket::kSize, samples.size() - first);
-        const std::span<TriangleId> some = seen.subspan(first, count);
-        if (std::ranges::find(some, kNotKnown) == some.end()) continue;
         for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
             const ImageSample& s = samples[first + (i < count ? i : 0)];
             x[i] = static_cast<float>(s.x);
             y[i] = static_cast<float>(s.y);
-            packet.valid[i] = i < count && some[i] == kNotKnown ? -1 : 0;
+            packet.valid[i] = i < count ? -1 : 0;
         }
         aim(x, y, {right.x, down.x, view.x}, packet.direction_x);
         aim(x, y, {right.y, down.y, view.y}, packet.direction_y);
         aim(x, y, {right.z, down.z, view.z}, packet.direction_z);
         scene.first_hits(packet);
-        for (std::size_t i = 0; i < count; ++i) {
-            if (some[i] == kNotKnown) some[i] = packet.triangle[i];
-        }
+        std::copy_n(packet.triangle.begin(), count, seen.begin() + static_cast<std::ptrdiff_t>(first));
     }
 }
 

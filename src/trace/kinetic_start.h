@@ -8,11 +8,8 @@
 
 namespace overfly {
 
-// What a sample sees is to be found out; no triangle has this number.
-inline constexpr TriangleId kNotKnown = kNone - 1;
-
-// What the samples that are kNotKnown see at one time of a piece, as float packets of rays find it: near an edge it
-// may be the neighbour, or what is in front of or behind a silhouette by a thousandth of a pixel; kNone for the sky.
+// What samples see at one time of a piece, as float packets of rays find it: near an edge it may be the neighbour, or
+// what is in front of or behind a silhouette by a thousandth of a pixel; kNone for the sky.
 // REQUIRES: as many `seen` as samples. Sixteen samples that follow each other should lie close together on the film.
 void look_roughly(const RayScene& scene, const MotionPiece& piece, double u, std::span<const ImageSample> samples,
                   std::span<TriangleId> seen);

@@ -25,7 +25,7 @@ constexpr double kNearBegin = 4e-6;
 constexpr double kBesideBegin = 0.01;
 
 // What is further from the stretch is left out: nothing in it is as near to that as two guesses may be off, nor is
-// looked at together with it (kAboutNow in kinetic_walk.cpp).
+// looked at together with it (kAboutNow in kinetic_steps.cpp).
 constexpr double kOutside = 4.0 * static_cast<double>(kGuessDoubt);
 
 // Where a line of sight passes an edge's line.

@@ -20,6 +20,9 @@ struct SilhouettePassage {
     // Of a guess `comes` is open, and it is so far from the sample's other passages that their order is certain. One
     // that turns out to be beside the edge is None.
     enum class State : std::uint8_t { Exact, Guess, None } state = State::Exact;
+
+    // Surely.
+    [[nodiscard]] bool is_after(double time_u) const { return u - doubt_u > time_u; }
 };
 
 struct SilhouettePassages {

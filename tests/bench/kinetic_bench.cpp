@@ -1,5 +1,4 @@
 // The kinetic tracer beside discrete rays on a shot, one line or ray a pixel and frame, visibility alone, one thread.
-// "kinetic" sets its lines down anew in each piece of the motion, "carried" only in the first of a few.
 // usage: overfly_kinetic_bench SHOT.yaml [KEY=VALUE...]
 #include <algorithm>
 #include <array>
@@ -70,9 +69,9 @@ struct Totals {
     long by_edge = 0;  // of those that differ, within a thousandth of a pixel of an edge
     double furthest_px = 0.0;
     double pixel_frames = 0.0;
-    double discrete_s = 0.0, embree_s = 0.0, prepare_s = 0.0, kinetic_s = 0.0, carried_s = 0.0;
+    double discrete_s = 0.0, embree_s = 0.0, prepare_s = 0.0, kinetic_s = 0.0;
     long pairs = 0, same = 0;
-    TraceCounters discrete, kinetic, carried;
+    TraceCounters discrete, kinetic;
 };
 
 void count_same(const TriangleMesh& mesh, const MotionPiece& piece, const TileSamples& tile,
@@ -102,11 +101,8 @@ void count_same(const TriangleMesh& mesh, const MotionPiece& piece, const TileSa
     }
 }
 
-// What the samples of each tile see at the end of the piece before.
-using Carried = std::vector<std::vector<TriangleId>>;
-
 void time_piece(const Stage& stage, const MotionPiece& piece, std::span<const TimeRange> exposures,
-                const std::vector<TileSamples>& tiles, const FilmBounds& picture, Carried& seen, Totals& totals) {
+                const std::vector<TileSamples>& tiles, const FilmBounds& picture, Totals& totals) {
     const DiscreteTracer discrete(stage.rays());
     const KineticTracer kinetic(stage.rays());
     double start_s = processor_seconds();
@@ -114,8 +110,8 @@ void time_piece(const Stage& stage, const MotionPiece& piece, std::span<const Ti
     totals.prepare_s += processor_seconds() - start_s;
     SegmentLists instants;
     SegmentLists lists;
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const std::vector<ImageSample>& samples = tiles[i].samples;
+    for (const TileSamples& tile : tiles) {
+        const std::vector<ImageSample>& samples = tile.samples;
         instants.clear();
         lists.clear();
         start_s = processor_seconds();
@@ -126,11 +122,7 @@ void time_piece(const Stage& stage, const MotionPiece& piece, std::span<const Ti
         totals.discrete_s += discrete_end_s - start_s;
         totals.kinetic_s += kinetic_end_s - discrete_end_s;
         totals.pixel_frames += static_cast<double>(samples.size() * exposures.size());
-        lists.clear();
-        start_s = processor_seconds();
-        kinetic.trace(prepared, samples, seen[i], lists, totals.carried);
-        totals.carried_s += processor_seconds() - start_s;
-        count_same(stage.mesh(), piece, tiles[i], instants, lists, totals);
+        count_same(stage.mesh(), piece, tile, instants, lists, totals);
     }
     totals.embree_s += embree_seconds(stage.rays(), piece, tiles, exposures);
 }
@@ -140,11 +132,11 @@ void print(const Totals& t) {
     const auto per = [&](std::uint64_t count) { return static_cast<double>(count) / t.pixel_frames; };
     // Only every so many tiles were traced, but the whole mesh was prepared.
     const double prepare_s = t.prepare_s / static_cast<double>(kEveryTile);
-    std::printf("ns per pixel and frame: embree %.1f  discrete %.1f  kinetic %.1f  carried %.1f  prepare %.1f\n",
-                ns(t.embree_s), ns(t.discrete_s), ns(t.kinetic_s), ns(t.carried_s), ns(prepare_s));
+    std::printf("ns per pixel and frame: embree %.1f  discrete %.1f  kinetic %.1f  prepare %.1f\n", ns(t.embree_s),
+                ns(t.discrete_s), ns(t.kinetic_s), ns(prepare_s));
     std::printf("per pixel and frame: crossings %.3f occlusions %.5f disocclusions %.5f lost %.2e segments %.3f\n",
-                per(t.carried.crossings), per(t.carried.occlusions), per(t.carried.disocclusions), per(t.carried.lost),
-                per(t.carried.segments));
+                per(t.kinetic.crossings), per(t.kinetic.occlusions), per(t.kinetic.disocclusions), per(t.kinetic.lost),
+                per(t.kinetic.segments));
     std::printf("same triangle: %.5f %% of %ld; of the other %ld at an edge %ld, furthest %.1e px\n",
                 100.0 * static_cast<double>(t.same) / static_cast<double>(t.pairs), t.pairs, t.pairs - t.same,
                 t.by_edge, t.furthest_px);
@@ -168,15 +160,13 @@ void run(const std::string& file, const std::vector<std::string>& assignments) {
                 stage.mesh().triangles.size(), frames.size(), motion.pieces.size());
     for (std::size_t k = 0; k < kPlaces; ++k) {
         const std::size_t first = (2 * k + 1) * motion.pieces.size() / (2 * kPlaces);
-        Carried seen;
-        for (const TileSamples& tile : tiles) seen.emplace_back(tile.samples.size(), kNotKnown);
         for (std::size_t i = first; i < std::min(first + kInARow, motion.pieces.size()); ++i) {
             const MotionPiece& piece = motion.pieces[i];
             std::vector<TimeRange> exposures;
             for (const PlannedFrame& f : frames) {
                 if (is_exposed_in(f, piece)) exposures.push_back(intersection(f.exposure, piece.when));
             }
-            time_piece(stage, piece, exposures, tiles, picture, seen, totals);
+            time_piece(stage, piece, exposures, tiles, picture, totals);
         }
     }
     print(totals);

@@ -117,44 +117,15 @@ TEST_F(KineticSteady, ThreadsAgree) {
     }
 }
 
-// A part of a piece as a piece.
-MotionPiece part_of(const MotionPiece& piece, double from_u, double to_u) {
-    const double span = to_u - from_u;
-    const auto part = [&](const QuadraticVector& q) {
-        return QuadraticVector{q.at(from_u), span * (q.c1 + 2.0 * from_u * q.c2), span * span * q.c2};
-    };
-    MotionPiece out = piece;
-    out.when = {piece.time_at(from_u), piece.time_at(to_u)};
-    out.origin = part(piece.origin);
-    out.right = part(piece.right);
-    out.down = part(piece.down);
-    out.view = part(piece.view);
-    return out;
-}
-
-// Samples that are carried from one piece to the next see what they see when they are set down anew, but for ties.
-TEST_F(KineticSteady, CarriedSamplesSeeTheSame) {
+// A sample is set down by a ray once; strides hardly ever go astray, so that it has to be again.
+TEST_F(KineticSteady, StridesSeldomGoAstray) {
     const std::vector<ImageSample> samples = random_samples(4000);
     for (const NamedMotion& m : all_sorts_of_motions()) {
-        std::vector<TriangleId> seen(samples.size(), kNotKnown);
+        SegmentLists lists;
         TraceCounters counters;
-        for (const auto& [from_u, to_u] : {std::pair{0.0, 0.4}, std::pair{0.4, 1.0}}) {
-            const MotionPiece motion = part_of(m.piece, from_u, to_u);
-            const KineticPiece piece = tracer_.prepare(motion, kPicture);
-            const SegmentLists anew = trace(tracer_, piece, samples);
-            SegmentLists carried;
-            tracer_.trace(piece, samples, seen, carried, counters);
-            std::size_t different = 0;
-            for (std::size_t i = 0; i < samples.size(); ++i) {
-                const auto a = anew.of(i);
-                const auto b = carried.of(i);
-                const auto is_same = [](const VisibleSegment& x, const VisibleSegment& y) {
-                    return x.triangle == y.triangle && std::abs(x.when.end_s - y.when.end_s) < 1e-5;
-                };
-                different += std::ranges::equal(a, b, is_same) ? 0 : 1;
-            }
-            EXPECT_LE(different, samples.size() / 1000) << m.name << ", seed " << kSeed;
-        }
+        tracer_.trace(tracer_.prepare(m.piece, kPicture), samples, std::vector<TimeRange>{m.piece.when}, lists,
+                      counters);
+        EXPECT_GE(counters.restarts, samples.size()) << m.name << ", seed " << kSeed;
         EXPECT_LT(counters.restarts, samples.size() + samples.size() / 50) << m.name << ", seed " << kSeed;
     }
 }
