@@ -6,7 +6,7 @@
 #include "film/frame_error.h"
 #include "shot/expose_piece.h"
 #include "shot/shot_tracers.h"
-#include "two_ways/terrain_flights.h"
+#include "two_ways/sample_flight.h"
 
 namespace overfly::testing {
 
@@ -83,12 +83,5 @@ struct FrameMaker {
     [[nodiscard]] Frame by_kinetic_lines(int lines) const { return expose(TracerKind::Kinetic, lines, 1); }
     [[nodiscard]] Frame by_samples(int samples) const { return expose(TracerKind::Discrete, 1, samples); }
 };
-
-// The camera's sight of terrain alone.
-inline Sight sight_of(Motion motion) {
-    Sight sight;
-    sight.motions.push_back(std::move(motion));
-    return sight;
-}
 
 }  // namespace overfly::testing

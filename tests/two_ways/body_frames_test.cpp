@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <iostream>
-
 #include "shot/shot_sight.h"
-#include "two_ways/blurred_frame.h"
+#include "two_ways/frame_laws.h"
 
 namespace overfly {
 namespace {
@@ -30,14 +28,12 @@ std::vector<BodyDocument> tumbling_slab_and_lake(const FlightPlace& slab_place, 
 class BodyFrames : public ::testing::Test {
   protected:
     BodyFrames() {
-        PreparedTerrain blanca = prepared(OVERFLY_SOURCE_DIR "/terrain/blanca_peak_utm13n_75m.tif");
-        shot_.flight = flight_over(blanca.scene.report, level_flight());
-        stage_.emplace(std::move(blanca), middle_of(shot_.flight));
+        shot_.flight = flight_.document;
         shot_.image = {kSize.width, kSize.height, false};
         shot_.look.look.sun_elevation = Angle::degrees(12.0);
         shot_.look.sun_shadows = SunShadows::Exact;
         const Keyframe& k = shot_.flight.keyframes[1];
-        const CameraPath path = make_path(shot_.flight, *stage_);
+        const CameraPath path = make_path(shot_.flight, stage_);
         const Geodetic camera = path.place_at(k.time_s);
         // 2.5 km ahead, and below.
         const auto ahead = [&](double north_m, double east_m, double up_m) {
@@ -47,44 +43,37 @@ class BodyFrames : public ::testing::Test {
         };
         shot_.bodies = tumbling_slab_and_lake(ahead(2200.0, 500.0, -350.0), ahead(4500.0, 1800.0, -900.0));
         shot_.frames.rate = {24, 1};
-        bodies_ = make_bodies(shot_, *stage_);
+        bodies_ = make_bodies(shot_, stage_);
     }
 
     [[nodiscard]] FrameMaker maker(const Sight& sight) const {
-        return {*stage_, sight, kSize, kExposure, shot_, bodies_};
+        return {stage_, sight, kSize, kExposure, shot_, bodies_};
     }
     [[nodiscard]] Sight sight() const {
-        const CameraPath path = make_path(shot_.flight, *stage_);
+        const CameraPath path = make_path(shot_.flight, stage_);
         const Daylight day(shot_.look.look);
-        const Motion camera =
-            fit_motion(path, path.times(), stage_->surroundings(), {0.01, kSize.width, kSize.height, 1.0 / 6.0});
-        return make_sight(shot_, path, camera, {*stage_, bodies_, day.to_sun()});
+        return make_sight(shot_, path, flight_.sight(kSize).motions.front(), {stage_, bodies_, day.to_sun()});
     }
 
     static constexpr PictureSize kSize = {160, 90};
-    static constexpr TimeRange kExposure = {1.0, 1.0 + 1.0 / 48.0};
+    static constexpr TimeRange kExposure = half_a_frame(1.0);
 
+    SampleFlight flight_{level_flight()};
+    const Stage& stage_ = flight_.stage;
     ShotDocument shot_;
-    std::optional<Stage> stage_;
     ShotBodies bodies_;
 };
 
-// Sixteen lines against 1,024 samples, with a mirror, a body that turns, and its shadow and those of the mountains.
+// With a mirror, a body that turns, and its shadow and those of the mountains.
 TEST_F(BodyFrames, SixteenLinesAreWithinFourThousandths) {
     const Sight seen = sight();
-    const FrameMaker make = maker(seen);
-    const Frame reference = make.by_samples(1024);
-    const double error = root_mean_square(make.by_lines(16), reference);
-    std::cout << "RMSE of 16 lines against 1,024 samples, bodies, mirror and shadows: " << error << "\n";
-    EXPECT_LT(error, 0.004);
-    EXPECT_LT(error, root_mean_square(make.by_samples(16), reference));
+    expect_sixteen_lines_suffice(maker(seen), "bodies, mirror and shadows");
 }
 
 // The kinetic tracer follows the ground, the interval tracer bodies and what is in mirrors.
 TEST_F(BodyFrames, AreTheSameWithTheKineticTracer) {
     const Sight seen = sight();
-    const FrameMaker make = maker(seen);
-    EXPECT_LT(root_mean_square(make.by_kinetic_lines(4), make.by_lines(4)), 1e-3);
+    expect_kinetic_lines_to_be_the_interval_tracers(maker(seen), 4);
 }
 
 // Without them the picture is another, so that the test above has something to see.

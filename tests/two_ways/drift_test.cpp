@@ -2,8 +2,7 @@
 
 #include <iostream>
 
-#include "core/parallel.h"
-#include "two_ways/blurred_frame.h"
+#include "two_ways/frame_laws.h"
 
 namespace overfly {
 namespace {
@@ -11,25 +10,19 @@ namespace {
 using namespace testing;
 
 constexpr PictureSize kSize = {160, 90};
-constexpr TimeRange kExposure = {1.0, 1.0 + 1.0 / 48.0};
+constexpr TimeRange kExposure = half_a_frame(1.0);
 
 // Lines that drift over a small picture of the dive.
 class DriftingLines : public ::testing::Test {
   protected:
-    DriftingLines() {
-        PreparedTerrain blanca = prepared(OVERFLY_SOURCE_DIR "/terrain/blanca_peak_utm13n_75m.tif");
-        const FlightDocument flight = flight_over(blanca.scene.report, diving_flight());
-        stage_.emplace(std::move(blanca), middle_of(flight));
-        sight_ = sight_of(motion_over(flight, *stage_, {0.01, kSize.width, kSize.height, 1.0 / 6.0}));
-    }
     [[nodiscard]] FrameMaker maker(double drift_px, TimeRange exposure = kExposure) const {
-        FrameMaker make = {*stage_, sight_, kSize, exposure};
+        FrameMaker make = {flight_.stage, sight_, kSize, exposure};
         make.drift_px = drift_px;
         return make;
     }
 
-    std::optional<Stage> stage_;
-    Sight sight_;
+    SampleFlight flight_{diving_flight()};
+    Sight sight_ = flight_.sight(kSize);
 };
 
 void expect_covered(const Frame& frame) {
@@ -52,7 +45,7 @@ TEST_F(DriftingLines, AreNearerToTheTruthThanLinesAtRest) {
 }
 
 TEST_F(DriftingLines, OfBothTracersMakeTheSamePicture) {
-    EXPECT_LT(root_mean_square(maker(8.0).by_kinetic_lines(2), maker(8.0).by_lines(2)), 1e-3);
+    expect_kinetic_lines_to_be_the_interval_tracers(maker(8.0), 2);
 }
 
 // Swept while the world stands still: against as many samples of the same instant as make a sharp edge smooth.
@@ -83,26 +76,14 @@ TEST_F(DriftingLines, ReachTheErrorThatIsAskedFor) {
 }
 
 TEST_F(DriftingLines, MakeTheSamePixelsForAnyNumberOfThreads) {
-    const int before = thread_limit();
-    limit_threads(1);
-    const Frame one = maker(8.0).by_kinetic_lines(2);
-    limit_threads(2);
-    const Frame two = maker(8.0).by_kinetic_lines(2);
-    limit_threads(before);
-    EXPECT_TRUE(one == two);
+    expect_the_same_for_any_number_of_threads([&] { return maker(8.0).by_kinetic_lines(2); });
 }
 
 TEST_F(DriftingLines, MakeAFrameTheSameWhicheverOthersAreAskedFor) {
-    std::vector<TimeRange> exposures;
-    for (int k = 0; k < 5; ++k) exposures.push_back({1.0 + k / 24.0, 1.0 + k / 24.0 + 1.0 / 48.0});
-    const auto frames_of = [&](const std::vector<TimeRange>& asked) {
-        return maker(8.0).expose_some(TracerKind::Kinetic, 2, 1, asked, exposures);
-    };
-    const std::vector<Frame> all = frames_of(exposures);
-    EXPECT_TRUE(frames_of({exposures[0]}).front() == all[0]);
-    const std::vector<Frame> some = frames_of({exposures[1], exposures[4]});
-    EXPECT_TRUE(some[0] == all[1]);
-    EXPECT_TRUE(some[1] == all[4]);
+    expect_the_same_whichever_frames_are_asked_for(
+        1.0, [&](const std::vector<TimeRange>& asked, const std::vector<TimeRange>& all) {
+            return maker(8.0).expose_some(TracerKind::Kinetic, 2, 1, asked, all);
+        });
 }
 
 }  // namespace

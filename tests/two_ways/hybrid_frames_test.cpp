@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "core/parallel.h"
-#include "two_ways/blurred_frame.h"
+#include "two_ways/frame_laws.h"
 
 namespace overfly {
 namespace {
@@ -18,13 +17,7 @@ ShareFlight panning_flight() {
 
 class HybridFrames : public ::testing::Test {
   protected:
-    HybridFrames() {
-        PreparedTerrain blanca = prepared(OVERFLY_SOURCE_DIR "/terrain/blanca_peak_utm13n_75m.tif");
-        const FlightDocument flight = flight_over(blanca.scene.report, panning_flight());
-        stage_.emplace(std::move(blanca), middle_of(flight));
-        sight_ = sight_of(motion_over(flight, *stage_, {0.01, kSize.width, kSize.height, 1.0 / 3.0}));
-    }
-    [[nodiscard]] FrameMaker maker() const { return {*stage_, sight_, kSize, kExposure}; }
+    [[nodiscard]] FrameMaker maker() const { return {flight_.stage, sight_, kSize, kExposure}; }
     [[nodiscard]] Frame by_both() const { return maker().expose(TracerKind::Hybrid, kLines, kSamples); }
 
     // How many of the picture's tiles are followed.
@@ -34,7 +27,7 @@ class HybridFrames : public ::testing::Test {
         shot.sampling.tracer = TracerKind::Hybrid;
         shot.sampling.lines = kLines;
         shot.sampling.samples = kSamples;
-        const ShotTracers tracers(shot, *stage_, make.bodies, sight_);
+        const ShotTracers tracers(shot, flight_.stage, make.bodies, sight_);
         const std::vector<TimeRange> exposures = {kExposure};
         const TimeRange when = sight_.motions.front().piece_at(kExposure.centre_s()).when;
         const PreparedSight prepared = tracers.pair().continuous->prepare(when, kSize.film_bounds());
@@ -46,11 +39,11 @@ class HybridFrames : public ::testing::Test {
     }
 
     static constexpr PictureSize kSize = {160, 90};
-    static constexpr TimeRange kExposure = {0.5, 0.5 + 1.0 / 48.0};
+    static constexpr TimeRange kExposure = half_a_frame(0.5);
     static constexpr int kLines = 4, kSamples = 64;
 
-    std::optional<Stage> stage_;
-    Sight sight_;
+    SampleFlight flight_{panning_flight()};
+    Sight sight_ = flight_.sight(kSize, 1.0 / 3.0);
 };
 
 // No further from the truth than the worse of the two that it is put together from.
@@ -70,26 +63,14 @@ TEST_F(HybridFrames, TheErrorIsThatOfLinesOrSamples) {
 }
 
 TEST_F(HybridFrames, ThePixelsAreTheSameForAnyNumberOfThreads) {
-    const int before = thread_limit();
-    limit_threads(1);
-    const Frame one = by_both();
-    limit_threads(2);
-    const Frame two = by_both();
-    limit_threads(before);
-    EXPECT_TRUE(one == two);
+    expect_the_same_for_any_number_of_threads([&] { return by_both(); });
 }
 
 TEST_F(HybridFrames, AFrameIsTheSameWhicheverOthersAreAskedFor) {
-    std::vector<TimeRange> exposures;
-    for (int k = 0; k < 5; ++k) exposures.push_back({0.5 + k / 24.0, 0.5 + k / 24.0 + 1.0 / 48.0});
-    const auto frames_of = [&](const std::vector<TimeRange>& asked) {
-        return maker().expose_some(TracerKind::Hybrid, kLines, kSamples, asked, exposures);
-    };
-    const std::vector<Frame> all = frames_of(exposures);
-    EXPECT_TRUE(frames_of({exposures[0]}).front() == all[0]);
-    const std::vector<Frame> some = frames_of({exposures[1], exposures[4]});
-    EXPECT_TRUE(some[0] == all[1]);
-    EXPECT_TRUE(some[1] == all[4]);
+    expect_the_same_whichever_frames_are_asked_for(
+        0.5, [&](const std::vector<TimeRange>& asked, const std::vector<TimeRange>& all) {
+            return maker().expose_some(TracerKind::Hybrid, kLines, kSamples, asked, all);
+        });
 }
 
 }  // namespace
