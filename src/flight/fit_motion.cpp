@@ -29,6 +29,19 @@ constexpr double kNearest_m = 0.01;
 
 double inner_u(int k) { return 0.5 - 0.5 * std::cos(std::numbers::pi * (k + 0.5) / kTimes); }
 
+// The welcome time that is nearest.
+double nearest_gap_s(double time_s, const MotionOptions::Gaps& gaps) {
+    return gaps.about_s + gaps.period_s * std::round((time_s - gaps.about_s) / gaps.period_s);
+}
+
+// Where a stretch is cut in two.
+double middle_s(TimeRange stretch, const MotionOptions::Gaps& gaps) {
+    if (gaps.period_s <= 0.0) return stretch.centre_s();
+    const double gap_s = nearest_gap_s(stretch.centre_s(), gaps);
+    const double margin_s = 0.01 * stretch.duration_s();
+    return gap_s > stretch.begin_s + margin_s && gap_s < stretch.end_s - margin_s ? gap_s : stretch.centre_s();
+}
+
 struct Cut {
     double time_s = 0.0;
     RayFrame camera;
@@ -46,7 +59,7 @@ class Fitter {
         const Attempt attempt = attempt_piece(from, to);
         const double span_s = to.time_s - from.time_s;
         if (!(attempt.error_px <= kSafety * options_.bound_px) && span_s > 2.0 * kShortestPiece_s) {
-            const Cut middle = cut_at(0.5 * (from.time_s + to.time_s));
+            const Cut middle = cut_at(middle_s({from.time_s, to.time_s}, options_.gaps));
             fit(from, middle);
             fit(middle, to);
             return;
@@ -125,8 +138,9 @@ class Fitter {
     Motion motion_;
 };
 
-// Where the path changes from one polynomial to another, and between those evenly, so that no piece is a sliver.
-std::vector<double> even_cuts_s(const CameraPath& path, TimeRange when, double longest_piece_s) {
+// Where the path changes from one polynomial to another, and between those evenly, or nearly where gaps are welcome, so
+// that no piece is a sliver.
+std::vector<double> even_cuts_s(const CameraPath& path, TimeRange when, const MotionOptions& options) {
     std::vector<double> stops_s{when.begin_s};
     for (const double joint_s : path.joints_s())
         if (joint_s > stops_s.back() + kShortestPiece_s && joint_s < when.end_s - kShortestPiece_s)
@@ -137,8 +151,12 @@ std::vector<double> even_cuts_s(const CameraPath& path, TimeRange when, double l
     for (std::size_t i = 0; i + 1 < stops_s.size(); ++i) {
         const double span_s = stops_s[i + 1] - stops_s[i];
         // A whole number of longest pieces is that many, whatever rounding says.
-        const int count = std::max(1, static_cast<int>(std::ceil(span_s / longest_piece_s - 1e-6)));
-        for (int k = 1; k < count; ++k) result.push_back(stops_s[i] + span_s * k / count);
+        const int count = std::max(1, static_cast<int>(std::ceil(span_s / options.longest_piece_s - 1e-6)));
+        for (int k = 1; k < count; ++k) {
+            const double half_s = 0.5 * span_s / count;
+            const double even_s = stops_s[i] + span_s * k / count;
+            result.push_back(middle_s({even_s - half_s, even_s + half_s}, options.gaps));
+        }
         result.push_back(stops_s[i + 1]);
     }
     return result;
@@ -167,7 +185,7 @@ Motion fit_motion(const CameraPath& path, TimeRange when, const Surroundings& su
     const View view = {[&](double time_s) { return ray_frame(path.pose_at(time_s)); },
                        [&](double, Point<Scene> origin) { return Reach{surroundings.distance_to_ground_m(origin)}; },
                        {}};
-    return fit_motion(view, even_cuts_s(path, when, options.longest_piece_s), options);
+    return fit_motion(view, even_cuts_s(path, when, options), options);
 }
 
 }  // namespace overfly

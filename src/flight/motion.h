@@ -45,6 +45,12 @@ struct MotionOptions {
     int width_px = 960;      // of the picture: what a pixel is
     int height_px = 540;
     double longest_piece_s = 1.0 / 3.0;
+    // Where joints are welcome: at every period_s from about_s on, as far as there is such a time between two cuts.
+    // Between two exposures, they spare work: what is exposed while a joint passes is traced twice. 0: anywhere.
+    struct Gaps {
+        double about_s = 0.0, period_s = 0.0;
+    };
+    Gaps gaps{};
 };
 
 // The whole flight in pieces that follow each other without gap. Which pieces there are depends on the flight and the
@@ -71,7 +77,7 @@ struct Motion {
 [[nodiscard]] Motion fit_motion(const View& view, std::span<const double> cuts_s, const MotionOptions& options);
 
 // The same for the camera over the ground, over `when`, which may reach beyond the path's own times; cut at the path's
-// joints and into pieces no longer than the options say.
+// joints and into pieces no longer than the options say, but for half a period of the gaps.
 // REQUIRES: when lasts for some time.
 [[nodiscard]] Motion fit_motion(const CameraPath& path, TimeRange when, const Surroundings& surroundings,
                                 const MotionOptions& options);

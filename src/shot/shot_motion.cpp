@@ -28,7 +28,10 @@ Motion shot_motion(const ShotDocument& shot, const CameraPath& path, std::span<c
     // Pieces exclude their end, and an exposure may be an instant.
     if (when.duration_s() < frame_s * static_cast<double>(frames.size()))
         when.end_s = when.begin_s + frame_s * static_cast<double>(frames.size());
-    return fit_motion(path, when, stage.surroundings(), motion_options(shot));
+    MotionOptions options = motion_options(shot);
+    const TimeRange exposure = frames.front().exposure;
+    options.gaps = {exposure.end_s + 0.5 * (frame_s - exposure.duration_s()), frame_s};
+    return fit_motion(path, when, stage.surroundings(), options);
 }
 
 }  // namespace overfly
