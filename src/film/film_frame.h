@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/colour.h"
+#include "core/float4.h"
 #include "film/frame.h"
 
 namespace overfly {
@@ -29,6 +30,12 @@ class FilmFrame {
         p[2] += weight * radiance.colour.b;
         p[3] += weight * radiance.alpha;
         if (radiance.depth_m < frame_.depth_m[pixel]) frame_.depth_m[pixel] = radiance.depth_m;
+    }
+    // Light that has its weight already, alpha the last.
+    void add(std::size_t pixel, Float4 weighted, float depth_m) {
+        std::array<float, 4>& p = frame_.rgba[pixel];
+        for (std::size_t c = 0; c < 4; ++c) p[c] += weighted[c];
+        if (depth_m < frame_.depth_m[pixel]) frame_.depth_m[pixel] = depth_m;
     }
     // The exposed frame. The film is used up.
     [[nodiscard]] Frame develop() && { return std::move(frame_); }

@@ -25,16 +25,30 @@ void for_each_stretch(std::span<const Segment> segments, TimeRange open, const W
 }
 
 // Integrates what one image sample sees over one exposure (design 3.5): every stretch of time has the weight that it
-// takes of the exposure, so visibility and coverage are exact in time; within a stretch radiance is smooth, and a Gauss
-// rule of as many points as the stretch is long for finds its mean.
+// takes of the exposure, so visibility and coverage are exact in time.
 //
 // `segments` have a TimeRange `when`, are in time order and do not overlap; between them the sky is seen. `window` is
-// the time that the segments speak of. Calls deposit(segment or nullptr, time_s, share, part) with shares of the whole
-// exposure that add up to the part of it inside the window; `part` is the time that time_s stands for, for whoever
-// knows its mean better: a share of the stretch, whose parts follow each other. An exposure of no duration counts
-// wholly if the window, end excluded, has it. A segment of no duration stands for the whole exposure that it lies in.
-template <class Segment, class Deposit>
-void integrate(std::span<const Segment> segments, TimeRange window, TimeRange exposure, const Deposit& deposit);
+// the time that the segments speak of. Calls with_stretch(segment or nullptr, TimeRange, share) with shares of the
+// whole exposure that add up to the part of it inside the window. An exposure of no duration counts wholly if the
+// window, end excluded, has it: for that one, at_instant(segment or nullptr, time_s) is called.
+template <class Segment, class WithStretch, class AtInstant>
+void integrate(std::span<const Segment> segments, TimeRange window, TimeRange exposure, const WithStretch& with_stretch,
+               const AtInstant& at_instant) {
+    const Segment* const none = nullptr;
+    if (exposure.duration_s() == 0.0) {
+        const double t = exposure.begin_s;
+        if (t < window.begin_s || t >= window.end_s) return;
+        for (const Segment& s : segments) {
+            if (s.when.contains(t)) return at_instant(&s, t);
+        }
+        return at_instant(none, t);
+    }
+    const TimeRange open = intersection(window, exposure);
+    if (open.duration_s() <= 0.0) return;
+    for_each_stretch(segments, open, [&](const Segment* segment, TimeRange stretch) {
+        with_stretch(segment, stretch, stretch.duration_s() / exposure.duration_s());
+    });
+}
 
 namespace detail {
 
@@ -54,37 +68,18 @@ inline constexpr std::array<GaussRule, 3> kGaussRules = {{
 inline constexpr double kTwoPointShare = 0.5;
 inline constexpr double kThreePointShare = 0.9;
 
-template <class Segment, class Deposit>
-void deposit_stretch(const Segment* segment, TimeRange stretch, double exposure_s, const Deposit& deposit) {
-    const double share = stretch.duration_s() / exposure_s;
-    const GaussRule& rule = kGaussRules[share < kTwoPointShare ? 0 : share < kThreePointShare ? 1 : 2];
-    double begin_s = stretch.begin_s;
-    for (std::size_t i = 0; i < rule.points; ++i) {
-        const double time_s = stretch.centre_s() + 0.5 * stretch.duration_s() * rule.place[i];
-        const double end_s = i + 1 == rule.points ? stretch.end_s : begin_s + stretch.duration_s() * rule.weight[i];
-        deposit(segment, time_s, share * rule.weight[i], TimeRange{begin_s, end_s});
-        begin_s = end_s;
-    }
-}
-
 }  // namespace detail
 
-template <class Segment, class Deposit>
-void integrate(std::span<const Segment> segments, TimeRange window, TimeRange exposure, const Deposit& deposit) {
-    const Segment* const none = nullptr;
-    if (exposure.duration_s() == 0.0) {
-        const double t = exposure.begin_s;
-        if (t < window.begin_s || t >= window.end_s) return;
-        for (const Segment& s : segments) {
-            if (s.when.contains(t)) return deposit(&s, t, 1.0, exposure);
-        }
-        return deposit(none, t, 1.0, exposure);
-    }
-    const TimeRange open = intersection(window, exposure);
-    if (open.duration_s() <= 0.0) return;
-    for_each_stretch(segments, open, [&](const Segment* segment, TimeRange stretch) {
-        detail::deposit_stretch(segment, stretch, exposure.duration_s(), deposit);
-    });
+// Where within a stretch of an exposure radiance is smooth, and nothing more is known of it, looks at a few times find
+// its mean: those of a Gauss rule of as many points as the stretch is long for. Calls look(time_s, share) with shares
+// that add up to the stretch's own.
+template <class LookAt>
+void for_each_look(TimeRange stretch, double share, const LookAt& look) {
+    const detail::GaussRule& rule = detail::kGaussRules[share < detail::kTwoPointShare     ? 0
+                                                        : share < detail::kThreePointShare ? 1
+                                                                                           : 2];
+    for (std::size_t i = 0; i < rule.points; ++i)
+        look(stretch.centre_s() + 0.5 * stretch.duration_s() * rule.place[i], share * rule.weight[i]);
 }
 
 // The same for a tracer that saw instants only: each stands for the whole exposure that it lies in. Exposures are in

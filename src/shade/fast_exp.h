@@ -1,16 +1,12 @@
 #pragma once
 
-#include <cstdint>
+#include "core/float4.h"
 
 namespace overfly {
-
-// Four numbers for one vector instruction: GCC's and Clang's vector extension, which needs no particular processor.
-using Float4 [[gnu::vector_size(16)]] = float;
 
 // e^x for what is left of light after air: four in less time than std::exp takes for one, and the same bits with every
 // libm. REQUIRES: x <= 0. GUARANTEES: exactly 1 at 0; relative error below 1e-5 down to x = -87; about e^-87 below.
 [[nodiscard]] inline Float4 fast_exp(Float4 x) {
-    using Int4 [[gnu::vector_size(16)]] = std::int32_t;
     const Float4 lowest = {-87.0F, -87.0F, -87.0F, -87.0F};
     const Float4 power_of_two = (x > lowest ? x : lowest) * 1.44269504F;  // log2 of e
     const Int4 whole = __builtin_convertvector(power_of_two, Int4);       // towards 0, so that the rest is in (-1, 0]

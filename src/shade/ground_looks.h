@@ -15,15 +15,14 @@ struct GroundLooks {
     template <class T>
     using Lane3 = std::array<Lane<T>, 3>;
 
-    // Asked: film points, when they look in the piece's u, for how long, and the triangles by corner.
-    alignas(64) Lane<double> x{}, y{}, u{}, from_u{}, to_u{};
+    // Asked: film points, when they look in the piece's u, and the triangles by corner.
+    alignas(64) Lane<double> x{}, y{}, u{};
     alignas(64) std::array<Lane3<double>, 3> corner{};        // [corner][axis], in the scene
     alignas(64) std::array<Lane<double>, 3> column{}, row{};  // of the corners in the raster
 
-    // Answered: the way over the raster from from_u to to_u as LitGround::way has it, or one look at its middle where
-    // the triangle has no more than half a cell of the raster (ground_triangle.h); the planar depth; and the ray in the
-    // middle: its length, its height where it begins, and the cosine of its angle to the sun.
-    alignas(64) Lane<double> from_column{}, from_row{}, step_columns{}, step_rows{}, steps{};
+    // Answered: the place in the raster, the planar depth; the ray's length there, its height where it begins, and the
+    // cosine of its angle to the sun.
+    alignas(64) Lane<double> met_column{}, met_row{};
     alignas(64) Lane<double> depth_m{}, distance_m{}, from_height_m{}, towards_sun{};
 };
 

@@ -15,51 +15,41 @@ LitGround::LitGround(const TerrainMesh& full, const GroundLight& light) : far_(f
     if (full.positions.empty()) return;
     lowest_m_ = height_over_ball_m(full.positions.front());
     for (const Point<Scene>& p : full.positions) lowest_m_ = std::min(lowest_m_, height_over_ball_m(p));
-    in_sun_.resize(grid.vertex.size());
-    without_sun_.resize(in_sun_.size());
-    std::vector<std::uint8_t> is_known(in_sun_.size(), 0);
-    for (std::size_t i = 0; i < in_sun_.size(); ++i) {
+    const std::size_t count = grid.vertex.size();
+    samples_.resize(2 * count);
+    std::vector<std::uint8_t> is_known(count, 0);
+    for (std::size_t i = 0; i < count; ++i) {
         const VertexId v = grid.vertex[i];
         if (v == kNone) continue;
         is_known[i] = 1;
         const auto height_m = static_cast<float>(height_over_ball_m(full.positions[v]) - lowest_m_);
         const Rgb sun = light.radiance[v], shade = light.without_sun[v];
-        in_sun_[i] = Sample{sun.r, sun.g, sun.b, height_m};
-        without_sun_[i] = Sample{shade.r, shade.g, shade.b, height_m};
+        samples_[i] = Sample{sun.r, sun.g, sun.b, height_m};
+        samples_[count + i] = Sample{shade.r, shade.g, shade.b, height_m};
     }
     fill_beside(is_known);
-    for (std::size_t i = 0; i < in_sun_.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         if (grid.diagonal[i] == 0) continue;
-        for (auto* samples : {&in_sun_, &without_sun_}) (*samples)[i][3] = -(*samples)[i][3];
+        for (Sample* const sample : {&samples_[i], &samples_[count + i]}) (*sample)[3] = -(*sample)[3];
     }
 }
 
 // Samples without ground that are beside one with ground take its light: rounding may look a little past an edge.
 void LitGround::fill_beside(const std::vector<std::uint8_t>& is_known) {
     const auto columns = static_cast<std::size_t>(columns_);
-    const std::size_t rows = in_sun_.size() / columns;
-    for (std::size_t i = 0; i < in_sun_.size(); ++i) {
+    const std::size_t count = is_known.size(), rows = count / columns;
+    for (std::size_t i = 0; i < count; ++i) {
         if (is_known[i] != 0) continue;
         const std::size_t row = i / columns, column = i % columns;
         for (std::size_t r = row > 0 ? row - 1 : 0; r < std::min(row + 2, rows); ++r) {
             for (std::size_t c = column > 0 ? column - 1 : 0; c < std::min(column + 2, columns); ++c) {
-                if (is_known[r * columns + c] == 0) continue;
-                in_sun_[i] = in_sun_[r * columns + c];
-                without_sun_[i] = without_sun_[r * columns + c];
+                const std::size_t beside = r * columns + c;
+                if (is_known[beside] == 0) continue;
+                samples_[i] = samples_[beside];
+                samples_[count + i] = samples_[count + beside];
             }
         }
     }
-}
-
-LitGround::Way LitGround::way(RasterPlace from, RasterPlace to) {
-    const double columns = to.column - from.column;
-    const double rows = to.row - from.row;
-    const double cells = std::max(std::abs(columns), std::abs(rows));
-    const double looks = std::clamp(std::ceil(cells + kLooksMore), 1.0, kMostLooks);
-    const double step = 1.0 / looks;
-    const double step_columns = step * columns, step_rows = step * rows;
-    return {from.column + 0.5 * step_columns, from.row + 0.5 * step_rows, step_columns, step_rows,
-            static_cast<int>(looks)};
 }
 
 }  // namespace overfly

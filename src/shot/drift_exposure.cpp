@@ -8,6 +8,7 @@
 #include "film/integrate.h"
 #include "shot/drifting_sight.h"
 #include "shot/light_deposits.h"
+#include "shot/line_deposits.h"
 
 namespace overfly {
 namespace {
@@ -166,17 +167,50 @@ class DriftExposure::Tile {
         for (const DriftingLine& line : lines_) samples_.push_back(sample_of(pattern_, line, shift_px));
         SurfaceSegmentLists lists;
         view_->tracer.trace(view_->prepared, samples_, {&open, 1}, lists, *counters_);
-        LightDeposits deposits(whole_->exposing_->shader, view_->camera(), {&film_, 1});
+        const SceneShader& shader = whole_->exposing_->shader;
+        LineDeposits lines(shader, view_->camera(), {&film_, 1});
+        LightDeposits looks(shader, view_->camera(), {&film_, 1});
         for (std::size_t i = 0; i < lines_.size(); ++i) {
-            for_each_stretch(lists.of(i), open, [&](const SurfaceSegment* seen, TimeRange stretch) {
-                deposit(lines_[i], {samples_[i].x, samples_[i].y, seen, lists.reflected}, stretch, deposits);
+            const TimeRange in_tile = intersection(open, time_in_tile(lines_[i]));
+            if (in_tile.duration_s() <= 0.0) continue;
+            for_each_stretch(lists.of(i), in_tile, [&](const SurfaceSegment* seen, TimeRange stretch) {
+                const SceneShader::Sighting sighting = {samples_[i].x, samples_[i].y, seen, lists.reflected};
+                const PixelRun to = passed_by(lines_[i], stretch);
+                if (sighting.is_of_ground()) return lines.add_ground(sighting, stretch, to);
+                if (seen == nullptr && lines.add_sky(sighting, stretch, to)) return;
+                look_often(lines_[i], sighting, stretch, looks);
             });
         }
     }
 
-    // To the pixels of the tile that the line passes meanwhile.
-    void deposit(const DriftingLine& line, const SceneShader::Sighting& sighting, TimeRange stretch,
-                 LightDeposits& deposits) const {
+    [[nodiscard]] TimeRange time_in_tile(const DriftingLine& line) const {
+        const double s_per_px = 1.0 / view_->px_per_s;
+        const double centre_s = exposure_.centre_s();
+        return {centre_s + (along_.begin - line.home_px) * s_per_px, centre_s + (along_.end - line.home_px) * s_per_px};
+    }
+
+    // The pixels that the line passes meanwhile. REQUIRES: it is in the tile.
+    [[nodiscard]] PixelRun passed_by(const DriftingLine& line, TimeRange stretch) const {
+        const TimeRange e = exposure_;
+        const double from_px = line.home_px + view_->px_per_s * (stretch.begin_s - e.centre_s());
+        const double length_px = view_->px_per_s * stretch.duration_s();
+        const auto in_tile = [&](double px) {
+            return std::clamp(static_cast<int>(std::floor(px)), along_.begin, along_.end - 1);
+        };
+        const int first = in_tile(from_px), last = in_tile(from_px + length_px);
+        const bool is_x = view_->pattern.axis == DriftAxis::X;
+        const double v_per_px = 1.0 / length_px;
+        return {.first = static_cast<std::uint32_t>(pixel(line.row, first)),
+                .stride = is_x ? 1 : film_width_,
+                .count = last - first + 1,
+                .first_end = (first + 1 - from_px) * v_per_px,
+                .v_per_pixel = v_per_px,
+                .weight = stretch.duration_s() / (e.duration_s() * pattern_.per_pixel)};
+    }
+
+    // One look for each of the pixels that the line passes meanwhile, or two.
+    void look_often(const DriftingLine& line, const SceneShader::Sighting& sighting, TimeRange stretch,
+                    LightDeposits& deposits) const {
         const TimeRange e = exposure_;
         const double per_s = view_->px_per_s, s_per_px = 1.0 / per_s;
         const double share_per_s = 1.0 / (e.duration_s() * pattern_.per_pixel);
@@ -189,14 +223,14 @@ class DriftExposure::Tile {
             if (in_pixel.duration_s() <= 0.0) continue;
             const double share = in_pixel.duration_s() * share_per_s;
             if (sighting.seen != nullptr) {
-                deposits.add(0, pixel(line.row, px), share, {sighting, in_pixel.centre_s(), in_pixel});
+                deposits.add(0, pixel(line.row, px), share, {sighting, in_pixel.centre_s()});
                 continue;
             }
             // Where the round Earth ends before the sky no triangle does: this edge is found by looking, at another
             // place for each line.
             for (const double half : {0.0, 0.5}) {
                 const double time_s = in_pixel.begin_s + (half + 0.5 * line.phase) * in_pixel.duration_s();
-                deposits.add(0, pixel(line.row, px), 0.5 * share, {sighting, time_s, {}});
+                deposits.add(0, pixel(line.row, px), 0.5 * share, {sighting, time_s});
             }
         }
     }

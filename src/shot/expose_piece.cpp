@@ -6,6 +6,7 @@
 #include "film/integrate.h"
 #include "shot/drift_exposure.h"
 #include "shot/light_deposits.h"
+#include "shot/line_deposits.h"
 
 namespace overfly {
 namespace {
@@ -48,17 +49,46 @@ class TileExposure {
     void follow(const TileSamples& lines, TraceCounters& counters) const {
         SurfaceSegmentLists lists;
         exposing_->tracers.continuous->trace(prepared_lines_, lines.samples, traced_, lists, counters);
-        LightDeposits deposits(exposing_->shader, *piece_, films_);
+        // First all that is seen of the ground, then all else, so that a pixel's light adds up in the same order
+        // whichever frames are exposed.
+        follow_ground(lines, lists);
+        LightDeposits looks(exposing_->shader, *piece_, films_);
         const double weight = 1.0 / exposing_->tracers.lines;
+        for_each_exposure_of(lines, [&](std::size_t i, std::uint32_t e) {
+            const auto look = [&](const SurfaceSegment* seen, double time_s, double share) {
+                looks.add(e, lines.pixels[i], share * weight, {sighting(lines, i, seen, lists), time_s});
+            };
+            const auto with_stretch = [&](const SurfaceSegment* seen, TimeRange stretch, double share) {
+                if (sighting(lines, i, seen, lists).is_of_ground()) return;
+                for_each_look(stretch, share, [&](double t, double part) { look(seen, t, part); });
+            };
+            const auto at_instant = [&](const SurfaceSegment* seen, double t) { look(seen, t, 1.0); };
+            integrate(lists.of(i), piece_->when, exposures_[e], with_stretch, at_instant);
+        });
+    }
+
+    void follow_ground(const TileSamples& lines, const SurfaceSegmentLists& lists) const {
+        LineDeposits deposits(exposing_->shader, *piece_, films_);
+        const double weight = 1.0 / exposing_->tracers.lines;
+        for_each_exposure_of(lines, [&](std::size_t i, std::uint32_t e) {
+            const auto with_stretch = [&](const SurfaceSegment* seen, TimeRange stretch, double share) {
+                const SceneShader::Sighting seen_so = sighting(lines, i, seen, lists);
+                if (!seen_so.is_of_ground()) return;
+                deposits.add_ground(seen_so, stretch, {.film = e, .first = lines.pixels[i], .weight = share * weight});
+            };
+            integrate(lists.of(i), piece_->when, exposures_[e], with_stretch, [](const SurfaceSegment*, double) {});
+        });
+    }
+
+    template <class WithExposure>
+    void for_each_exposure_of(const TileSamples& lines, const WithExposure& with_exposure) const {
         for (std::size_t i = 0; i < lines.samples.size(); ++i) {
-            const ImageSample& line = lines.samples[i];
-            for (std::size_t e = 0; e < exposures_.size(); ++e) {
-                const auto deposit = [&](const SurfaceSegment* s, double t, double share, TimeRange part) {
-                    deposits.add(e, lines.pixels[i], share * weight, {{line.x, line.y, s, lists.reflected}, t, part});
-                };
-                integrate(lists.of(i), piece_->when, exposures_[e], deposit);
-            }
+            for (std::uint32_t e = 0; e < exposures_.size(); ++e) with_exposure(i, e);
         }
+    }
+    static SceneShader::Sighting sighting(const TileSamples& lines, std::size_t i, const SurfaceSegment* seen,
+                                          const SurfaceSegmentLists& lists) {
+        return {lines.samples[i].x, lines.samples[i].y, seen, lists.reflected};
     }
 
     // sampled: the exposures, or parts of them.
@@ -72,7 +102,7 @@ class TileExposure {
             const ImageSample& sample = tiled.samples[i];
             integrate_instants(lists.of(i), sampled, [&](const SurfaceSegment& s, std::size_t e, double t) {
                 deposits.add(e, tiled.pixels[i], share_of(sampled[e], exposures_[e]) * weight,
-                             {{sample.x, sample.y, &s, lists.reflected}, t, {}});
+                             {{sample.x, sample.y, &s, lists.reflected}, t});
             });
         }
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "flight/motion.h"
 #include "shade/lit_ground.h"
@@ -44,8 +43,6 @@ class GroundTriangle {
     [[nodiscard]] RasterPlace place(const Hit& hit) const {
         return {s0_.column + hit.b1 * s1_.column + hit.b2 * s2_.column, s0_.row + hit.b1 * s1_.row + hit.b2 * s2_.row};
     }
-    // Whether there is more than (half) a cell of the raster in it.
-    [[nodiscard]] bool covers_cells() const { return std::abs(s1_.column * s2_.row - s1_.row * s2_.column) > 1; }
 
   private:
     // What is no number becomes 0.

@@ -6,8 +6,7 @@ void ManyLooks::look(std::span<const SceneShader::Look> looks, std::span<Radianc
     looks_ = looks;
     out_ = out;
     for (std::size_t i = 0; i < looks.size(); ++i) {
-        const SurfaceSegment* seen = looks[i].sighting.seen;
-        if (seen != nullptr && seen->triangle != kNone && seen->surface == 0) {
+        if (looks[i].sighting.is_of_ground()) {
             look_at_ground(i);
         } else {
             look_at_others(i);
@@ -23,9 +22,6 @@ void ManyLooks::look_at_ground(std::size_t i) {
     ground_.x[k] = look.sighting.x;
     ground_.y[k] = look.sighting.y;
     ground_.u[k] = camera_->u_at(look.time_s);
-    const bool is_mean = look.over.duration_s() > 0.0;
-    ground_.from_u[k] = is_mean ? camera_->u_at(look.over.begin_s) : ground_.u[k];
-    ground_.to_u[k] = is_mean ? camera_->u_at(look.over.end_s) : ground_.u[k];
     const auto& ids = shader_->mesh_->triangles[look.sighting.seen->triangle];
     for (std::size_t c = 0; c < 3; ++c) {
         const GroundCorner& corner = shader_->corners_[ids[c]];
@@ -44,9 +40,8 @@ void ManyLooks::meet() {
     meet_ground(*camera_, shader_->daylight_->to_sun(), shader_->lowest_m_, ground_, ground_count_);
     for (std::size_t k = 0; k < ground_count_; ++k) {
         const std::size_t i = on_ground_[k];
-        const LitGround::Way way = {ground_.from_column[k], ground_.from_row[k], ground_.step_columns[k],
-                                    ground_.step_rows[k], static_cast<int>(ground_.steps[k])};
-        const LitGround::Place place = shader_->light_->mean(way, looks_[i].sighting.seen->in_shadow);
+        const RasterPlace met = {ground_.met_column[k], ground_.met_row[k]};
+        const LitGround::Place place = shader_->light_->at(met, looks_[i].sighting.seen->in_shadow);
         out_[i] = {{}, 1.0F, static_cast<float>(ground_.depth_m[k])};
         add_view(i, place.radiance,
                  {static_cast<float>(ground_.distance_m[k]), static_cast<float>(ground_.from_height_m[k]),

@@ -62,27 +62,15 @@ SceneShader::Behind SceneShader::beyond(const Ray& ray) const {
 }
 
 SceneShader::Behind SceneShader::ground(const MotionPiece& scene, const Sighting& sighting, double time_s,
-                                        TimeRange over, const Ray& ray) const {
+                                        const Ray& ray) const {
     const auto& ids = mesh_->triangles[sighting.seen->triangle];
     const GroundTriangle triangle(corners_[ids[0]], corners_[ids[1]], corners_[ids[2]]);
-    const bool in_shadow = sighting.seen->in_shadow;
-    double depth_m = 0.0;
-    LitGround::Place place;
-    if (over.duration_s() > 0.0 && triangle.covers_cells()) {
-        const auto hit_at = [&](double t) {
-            const double u = scene.u_at(t);
-            return triangle.hit(scene, u, scene.direction_at(u, sighting.x, sighting.y));
-        };
-        const GroundTriangle::Hit from = hit_at(over.begin_s), to = hit_at(over.end_s);
-        depth_m = 0.5 * (from.depth_m + to.depth_m);
-        place = light_->mean(LitGround::way(triangle.place(from), triangle.place(to)), in_shadow);
-    } else {
-        const auto hit = triangle.hit(scene, scene.u_at(time_s), ray.metres_per_depth * ray.direction);
-        depth_m = hit.depth_m;
-        place = light_->at(triangle.place(hit), in_shadow);
-    }
-    const Daylight::AirPath air = {depth_m * ray.metres_per_depth - ray.from_m, ray.from_height_m, place.height_m};
-    return {{place.radiance, 1.0F, static_cast<float>(depth_m)}, air, ray.direction};
+    // By the piece's own direction, as meet_ground has it: the ray's, of unit length, differs from it by a rounding.
+    const double u = scene.u_at(time_s);
+    const GroundTriangle::Hit hit = triangle.hit(scene, u, scene.direction_at(u, sighting.x, sighting.y));
+    const LitGround::Place place = light_->at(triangle.place(hit), sighting.seen->in_shadow);
+    const Daylight::AirPath air = {hit.depth_m * ray.metres_per_depth - ray.from_m, ray.from_height_m, place.height_m};
+    return {{place.radiance, 1.0F, static_cast<float>(hit.depth_m)}, air, ray.direction};
 }
 
 SceneShader::Behind SceneShader::body(const MotionPiece& scene, const Sighting& sighting, double time_s,
@@ -119,7 +107,7 @@ Rgb SceneShader::in_mirror(const Sighting& sighting, double time_s, double from_
     ray.from_height_m = height_over_ball_m(ray.origin + from_m * ray.direction) - lowest_m_;
     if (sighting.seen->triangle == kNone) return through_air(beyond(ray)).colour;
     if (sighting.seen->surface > 0) return through_air(body(scene, sighting, time_s, ray)).colour;
-    return through_air(ground(scene, sighting, time_s, {}, ray)).colour;
+    return through_air(ground(scene, sighting, time_s, ray)).colour;
 }
 
 SceneShader::Behind SceneShader::behind_air(const MotionPiece& camera, const Look& look) const {
@@ -127,7 +115,7 @@ SceneShader::Behind SceneShader::behind_air(const MotionPiece& camera, const Loo
     const Ray ray = ray_of(camera, sighting, camera.u_at(look.time_s));
     if (sighting.seen == nullptr || sighting.seen->triangle == kNone) return beyond(ray);
     if (sighting.seen->surface > 0) return body(camera, sighting, look.time_s, ray);
-    return ground(camera, sighting, look.time_s, look.over, ray);
+    return ground(camera, sighting, look.time_s, ray);
 }
 
 Radiance SceneShader::through_air(const Behind& behind) const {

@@ -36,19 +36,21 @@ class SceneShader {
         double x = 0.0, y = 0.0;
         const SurfaceSegment* seen = nullptr;            // nullptr: the sky
         std::span<const SurfaceSegment> reflected = {};  // of SurfaceSegmentLists
+
+        [[nodiscard]] bool is_of_ground() const {
+            return seen != nullptr && seen->triangle != kNone && seen->surface == 0;
+        }
     };
-    // over: the time, if any, of which the radiance has to be the mean; where a triangle of the ground is larger than
-    // the cells of the raster, its light isn't smooth along the way.
     struct Look {
         Sighting sighting;
         double time_s = 0.0;
-        TimeRange over;
     };
     // camera: the piece of the rays relative to the scene that the times lie in.
     [[nodiscard]] Radiance radiance(const MotionPiece& camera, const Look& look) const;
 
   private:
     friend class ManyLooks;
+    friend class LineDeposits;
 
     // A ray in the scene, and where on it the air begins that has not been counted yet.
     struct Ray {
@@ -67,7 +69,7 @@ class SceneShader {
 
     [[nodiscard]] Ray ray_of(const MotionPiece& scene, const Sighting& sighting, double u) const;
     [[nodiscard]] Behind beyond(const Ray& ray) const;
-    [[nodiscard]] Behind ground(const MotionPiece& scene, const Sighting& sighting, double time_s, TimeRange over,
+    [[nodiscard]] Behind ground(const MotionPiece& scene, const Sighting& sighting, double time_s,
                                 const Ray& ray) const;
     [[nodiscard]] Behind body(const MotionPiece& scene, const Sighting& sighting, double time_s, const Ray& ray) const;
     [[nodiscard]] Behind behind_air(const MotionPiece& camera, const Look& look) const;

@@ -20,14 +20,18 @@ constexpr int kSky = -1;
 struct Deposit {
     int what;
     double time_s, share;
-    TimeRange part;
 };
 
 std::vector<Deposit> integrated(const std::vector<Seen>& segments, TimeRange window, TimeRange exposure) {
     std::vector<Deposit> deposits;
-    integrate(std::span(segments), window, exposure, [&](const Seen* s, double time_s, double share, TimeRange part) {
-        deposits.push_back({s ? s->what : kSky, time_s, share, part});
-    });
+    const auto deposit = [&](const Seen* s, double time_s, double share) {
+        deposits.push_back({s ? s->what : kSky, time_s, share});
+    };
+    const auto with_stretch = [&](const Seen* s, TimeRange stretch, double all) {
+        for_each_look(stretch, all, [&](double time_s, double share) { deposit(s, time_s, share); });
+    };
+    integrate(std::span(segments), window, exposure, with_stretch,
+              [&](const Seen* s, double time_s) { deposit(s, time_s, 1.0); });
     return deposits;
 }
 
@@ -57,21 +61,6 @@ std::vector<Seen> random_segments(std::mt19937& random, TimeRange window) {
 }
 
 constexpr double kRounding = 1e-12;  // of some dozens of sums of numbers up to 1
-
-TEST(Integrate, PartsFollowEachOtherAndAreAsLongAsTheirShares) {
-    std::mt19937 random(5);
-    const TimeRange window = {0.0, 3.0}, exposure = {0.5, 1.5};
-    for (int run = 0; run < 200; ++run) {
-        double reached_s = exposure.begin_s;
-        for (const Deposit& d : integrated(random_segments(random, window), window, exposure)) {
-            EXPECT_NEAR(d.part.begin_s, reached_s, kRounding);
-            EXPECT_NEAR(d.part.duration_s(), d.share * exposure.duration_s(), kRounding);
-            EXPECT_TRUE(d.part.begin_s <= d.time_s && d.time_s <= d.part.end_s);
-            reached_s = d.part.end_s;
-        }
-        EXPECT_NEAR(reached_s, exposure.end_s, kRounding);
-    }
-}
 
 TEST(Integrate, SharesAreThePartsOfTheExposure) {
     const auto shares = share_of_each(integrated({{1, {0.1, 0.3}}, {2, {0.3, 0.35}}}, {0.0, 1.0}, {0.0, 0.5}));

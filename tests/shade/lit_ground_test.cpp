@@ -55,28 +55,6 @@ TEST(LitGround, IsLinearOverTheTrianglesOfTheFullMesh) {
     }
 }
 
-// Against very many looks: that of a long way is near, that of a short one the light in its middle.
-TEST(LitGround, HasTheMeanAlongAWay) {
-    const TerrainMesh mesh = mesh_of(rough(40, 30, 0.0, 5));
-    const LitGround ground(mesh, light_of(mesh));
-    const auto dense = [&](RasterPlace from, RasterPlace to) {
-        constexpr int kMany = 2000;
-        double sum = 0.0;
-        for (int k = 0; k < kMany; ++k) {
-            const double share = (k + 0.5) / kMany;
-            sum += static_cast<double>(
-                ground
-                    .at({from.column + share * (to.column - from.column), from.row + share * (to.row - from.row)}, true)
-                    .radiance.g);
-        }
-        return sum / kMany;
-    };
-    const RasterPlace a = {2.25, 3.5}, b = {30.5, 20.25}, near = {2.5, 3.5};
-    EXPECT_NEAR(ground.mean(LitGround::way(a, b), true).radiance.g, dense(a, b), 0.05);
-    EXPECT_EQ(ground.mean(LitGround::way(a, near), true).radiance.g, ground.at({2.375, 3.5}, true).radiance.g);
-    EXPECT_EQ(ground.mean(LitGround::way(a, a), false).height_m, ground.at(a, false).height_m);
-}
-
 TEST(LitGround, HasTheLightNextToPlacesBesideIt) {
     ElevationModel model = flat(6, 5);
     for (int row = 0; row < 5; ++row) model.is_valid[model.index(4, row)] = model.is_valid[model.index(5, row)] = 0;

@@ -42,12 +42,5 @@ TEST(GroundTriangle, IsNotLeft) {
     EXPECT_LE(level().place(from_its_edge).column, 14.0);
 }
 
-TEST(GroundTriangle, KnowsWhetherItHasMoreThanHalfACell) {
-    EXPECT_TRUE(level().covers_cells());
-    EXPECT_FALSE(GroundTriangle({{}, {3, 3}}, {{}, {4, 3}}, {{}, {3, 4}}).covers_cells());
-    EXPECT_FALSE(GroundTriangle({{}, {3, 3}}, {{}, {4, 4}}, {{}, {3, 4}}).covers_cells());
-    EXPECT_TRUE(GroundTriangle({{}, {3, 3}}, {{}, {5, 3}}, {{}, {4, 4}}).covers_cells());
-}
-
 }  // namespace
 }  // namespace overfly

@@ -1,0 +1,150 @@
+#include "shot/line_deposits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace overfly {
+namespace {
+
+// Nodes for each cell of the raster that a run passes. The light of ground that is as different from sample to sample
+// as can be has then the error that it has on the full mesh (16 lines: RMSE .0027 and .0020; with 2 it is .0063).
+constexpr float kPiecesPerCell = 4.0F;
+// What is swept faster is a blur that nobody sees the grain of.
+constexpr float kMostPieces = 64.0F;
+
+// The sky is smooth, but not where a few pixels are a large part of it.
+constexpr int kPixelsPerSkyPiece = 4, kMostSkyPieces = 16;
+
+// A run that turns its edge to the eye passes nobody knows how many.
+int pieces_of(float cells) {
+    const float wanted = std::ceil(kPiecesPerCell * cells);
+    return wanted > 1.0F ? static_cast<int>(std::min(wanted, kMostPieces)) : 1;
+}
+
+// The integral of a chain of straight pieces from its begin on, for ever later ends.
+class ChainIntegral {
+  public:
+    ChainIntegral(const Float4* nodes, int pieces) : from_(nodes), last_(nodes + pieces - 1) {}
+
+    struct Until {
+        Float4 sum;    // each piece being of unit length
+        Float4 value;  // there
+    };
+    // t: in pieces.
+    Until operator()(float t) {
+        while (t - whole_ > 1.0F && from_ < last_) {
+            before_ += 0.5F * (from_[0] + from_[1]);
+            whole_ += 1.0F;
+            ++from_;
+        }
+        const float rest = t - whole_;
+        const Float4 value = from_[0] + rest * (from_[1] - from_[0]);
+        return {before_ + (0.5F * rest) * (from_[0] + value), value};
+    }
+
+  private:
+    const Float4 *from_, *last_;
+    Float4 before_{};
+    float whole_ = 0.0F;
+};
+
+}  // namespace
+
+void LineDeposits::add_ground(const SceneShader::Sighting& sighting, TimeRange when, const PixelRun& to) {
+    const SurfaceSegment& seen = *sighting.seen;
+    const std::size_t k = count_;
+    runs_.x[k] = sighting.x;
+    runs_.y[k] = sighting.y;
+    runs_.from_u[k] = camera_->u_at(when.begin_s);
+    runs_.to_u[k] = camera_->u_at(when.end_s);
+    const auto& ids = shader_->mesh_->triangles[seen.triangle];
+    for (std::size_t c = 0; c < 3; ++c) {
+        const GroundCorner& corner = shader_->corners_[ids[c]];
+        runs_.corner[c][0][k] = corner.position.x;
+        runs_.corner[c][1][k] = corner.position.y;
+        runs_.corner[c][2][k] = corner.position.z;
+        runs_.column[c][k] = corner.sample.column;
+        runs_.row[c][k] = corner.sample.row;
+    }
+    runs_.in_shadow[k] = seen.in_shadow ? 1 : 0;
+    to_[k] = to;
+    if (++count_ == GroundRuns::kSize) flush();
+}
+
+bool LineDeposits::add_sky(const SceneShader::Sighting& sighting, TimeRange when, const PixelRun& to) const {
+    const int pieces = std::min((to.count + kPixelsPerSkyPiece - 1) / kPixelsPerSkyPiece, kMostSkyPieces);
+    std::array<Float4, kMostSkyPieces + 1> nodes;
+    float alpha = 1.0F;
+    std::optional<bool> is_ground;
+    for (int i = 0; i <= pieces; ++i) {
+        const double time_s = when.begin_s + when.duration_s() * i / pieces;
+        const SceneShader::Behind behind = shader_->behind_air(*camera_, {sighting, time_s});
+        if (is_ground.value_or(behind.air.has_value()) != behind.air.has_value()) return false;
+        is_ground = behind.air.has_value();
+        const Radiance seen = shader_->through_air(behind);
+        nodes[static_cast<std::size_t>(i)] = Float4{seen.colour.r, seen.colour.g, seen.colour.b, seen.depth_m};
+        alpha = seen.alpha;
+    }
+    deposit(std::span(nodes).first(static_cast<std::size_t>(pieces) + 1), alpha, to);
+    return true;
+}
+
+void LineDeposits::flush() {
+    follow_ground(*camera_, shader_->daylight_->to_sun(), shader_->lowest_m_, runs_, count_);
+    nodes_.clear();
+    for (std::size_t k = 0; k < count_; ++k) ask_nodes(k);
+    look();
+    first_node_[count_] = static_cast<std::uint32_t>(nodes_.size());
+    for (std::size_t k = 0; k < count_; ++k)
+        deposit(std::span(nodes_).subspan(first_node_[k], first_node_[k + 1] - first_node_[k]), 1.0F, to_[k]);
+    count_ = 0;
+}
+
+void LineDeposits::ask_nodes(std::size_t run) {
+    first_node_[run] = static_cast<std::uint32_t>(nodes_.size() + asked_count_);
+    const int pieces = pieces_of(runs_.cells[run]);
+    const float step = 1.0F / static_cast<float>(pieces);
+    for (int i = 0; i <= pieces; ++i) {
+        asked_.run[asked_count_] = static_cast<std::int32_t>(run);
+        asked_.v[asked_count_] = static_cast<float>(i) * step;
+        if (++asked_count_ == GroundNodes::kSize) look();
+    }
+}
+
+// At those that were asked.
+void LineDeposits::look() {
+    look_at_ground(runs_, *shader_->light_, asked_, asked_count_);
+    look_through(shader_->daylight_->air(), asked_.views, asked_count_);
+    for (std::size_t i = 0; i < asked_count_; ++i) {
+        const Rgb seen = asked_.views.seen(i);
+        const float depth_m = asked_.depth_m[i];
+        nodes_.push_back(Float4{seen.r, seen.g, seen.b, depth_m > 0.0F ? depth_m : Frame::kNoDepth});
+    }
+    asked_count_ = 0;
+}
+
+// nodes: evenly spaced in v.
+void LineDeposits::deposit(std::span<const Float4> nodes, float alpha, const PixelRun& to) const {
+    FilmFrame& film = *films_[to.film];
+    const int pieces = static_cast<int>(nodes.size()) - 1;
+    ChainIntegral chain(nodes.data(), pieces);
+    const auto weight = static_cast<float>(to.weight), per_piece = weight / static_cast<float>(pieces);
+    float reached = 0.0F;
+    Float4 sum{};
+    float depth_m = nodes.front()[3];
+    for (int i = 0; i < to.count; ++i) {
+        const bool is_last = i + 1 == to.count;
+        const float end = is_last ? 1.0F : static_cast<float>(to.first_end + i * to.v_per_pixel);
+        if (end <= reached) continue;
+        const auto until = chain(end * static_cast<float>(pieces));
+        Float4 light = per_piece * (until.sum - sum);
+        light[3] = alpha * weight * (end - reached);
+        film.add(to.first + static_cast<std::uint32_t>(i * to.stride), light, std::min(depth_m, until.value[3]));
+        reached = end;
+        sum = until.sum;
+        depth_m = until.value[3];
+    }
+}
+
+}  // namespace overfly
