@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <vector>
 
 #include "core/colour.h"
@@ -33,8 +34,10 @@ class FilmFrame {
     }
     // Light that has its weight already, alpha the last.
     void add(std::size_t pixel, Float4 weighted, float depth_m) {
-        std::array<float, 4>& p = frame_.rgba[pixel];
-        for (std::size_t c = 0; c < 4; ++c) p[c] += weighted[c];
+        Float4 sum;
+        std::memcpy(&sum, frame_.rgba[pixel].data(), sizeof sum);
+        sum += weighted;
+        std::memcpy(frame_.rgba[pixel].data(), &sum, sizeof sum);
         if (depth_m < frame_.depth_m[pixel]) frame_.depth_m[pixel] = depth_m;
     }
     // The exposed frame. The film is used up.

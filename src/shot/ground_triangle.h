@@ -8,12 +8,11 @@
 
 namespace overfly {
 
-// A vertex of the ground, in half a line of a processor's cache.
+// A vertex of the ground.
 struct GroundCorner {
     Point<Scene> position;
     GridPlace sample;
 };
-static_assert(sizeof(GroundCorner) == 32);
 
 // A triangle of the ground as a line of sight meets it, in the scene and in the raster.
 class GroundTriangle {

@@ -60,7 +60,7 @@ void LineDeposits::add_ground(const SceneShader::Sighting& sighting, TimeRange w
     runs_.to_u[k] = camera_->u_at(when.end_s);
     const auto& ids = shader_->mesh_->triangles[seen.triangle];
     for (std::size_t c = 0; c < 3; ++c) {
-        const GroundCorner& corner = shader_->corners_[ids[c]];
+        const GroundCorner corner = shader_->corner(ids[c]);
         runs_.corner[c][0][k] = corner.position.x;
         runs_.corner[c][1][k] = corner.position.y;
         runs_.corner[c][2][k] = corner.position.z;

@@ -24,7 +24,7 @@ void ManyLooks::look_at_ground(std::size_t i) {
     ground_.u[k] = camera_->u_at(look.time_s);
     const auto& ids = shader_->mesh_->triangles[look.sighting.seen->triangle];
     for (std::size_t c = 0; c < 3; ++c) {
-        const GroundCorner& corner = shader_->corners_[ids[c]];
+        const GroundCorner corner = shader_->corner(ids[c]);
         ground_.corner[c][0][k] = corner.position.x;
         ground_.corner[c][1][k] = corner.position.y;
         ground_.corner[c][2][k] = corner.position.z;

@@ -39,10 +39,7 @@ SceneShader::SceneShader(const TerrainMesh& mesh, const LitGround& light, const 
       daylight_(&day),
       bodies_(std::move(bodies)),
       transparent_sky_(transparent_sky),
-      lowest_m_(light.lowest_m()) {
-    corners_.reserve(mesh.positions.size());
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v) corners_.push_back({mesh.positions[v], mesh.samples[v]});
-}
+      lowest_m_(light.lowest_m()) {}
 
 SceneShader::Ray SceneShader::ray_of(const MotionPiece& scene, const Sighting& sighting, double u) const {
     const Vector<Scene> d = scene.direction_at(u, sighting.x, sighting.y);
@@ -64,7 +61,7 @@ SceneShader::Behind SceneShader::beyond(const Ray& ray) const {
 SceneShader::Behind SceneShader::ground(const MotionPiece& scene, const Sighting& sighting, double time_s,
                                         const Ray& ray) const {
     const auto& ids = mesh_->triangles[sighting.seen->triangle];
-    const GroundTriangle triangle(corners_[ids[0]], corners_[ids[1]], corners_[ids[2]]);
+    const GroundTriangle triangle(corner(ids[0]), corner(ids[1]), corner(ids[2]));
     // By the piece's own direction, as meet_ground has it: the ray's, of unit length, differs from it by a rounding.
     const double u = scene.u_at(time_s);
     const GroundTriangle::Hit hit = triangle.hit(scene, u, scene.direction_at(u, sighting.x, sighting.y));

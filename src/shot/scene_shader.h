@@ -67,6 +67,7 @@ class SceneShader {
         Vector<Scene> direction;
     };
 
+    [[nodiscard]] GroundCorner corner(VertexId v) const { return {mesh_->positions[v], mesh_->samples[v]}; }
     [[nodiscard]] Ray ray_of(const MotionPiece& scene, const Sighting& sighting, double u) const;
     [[nodiscard]] Behind beyond(const Ray& ray) const;
     [[nodiscard]] Behind ground(const MotionPiece& scene, const Sighting& sighting, double time_s,
@@ -77,7 +78,6 @@ class SceneShader {
     [[nodiscard]] Rgb in_mirror(const Sighting& sighting, double time_s, double from_m) const;
 
     const TerrainMesh* mesh_;
-    std::vector<GroundCorner> corners_;  // by vertex of the mesh
     const LitGround* light_;
     const Daylight* daylight_;
     std::vector<ShadedBody> bodies_;

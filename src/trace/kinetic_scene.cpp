@@ -38,11 +38,9 @@ Quadratic3<float> in(const Axes& axes, const QuadraticVector& q) {
 }  // namespace
 
 Across::Across(const TriangleMesh& mesh) {
-    sides.reserve(3 * mesh.triangles.size());
-    for (const auto& twins : mesh.twins) {
-        for (const HalfEdgeId twin : twins)
-            sides.push_back({twin, twin != kNone ? mesh.triangles[twin / 4][(twin % 4 + 2) % 3] : 0});
-    }
+    const auto apex = [&](HalfEdgeId twin) { return twin != kNone ? mesh.triangles[twin / 4][(twin % 4 + 2) % 3] : 0; };
+    apexes.reserve(mesh.twins.size());
+    for (const auto& twins : mesh.twins) apexes.push_back({apex(twins[0]), apex(twins[1]), apex(twins[2])});
 }
 
 StrideScene::StrideScene(const TriangleMesh& terrain, const Across& beyond, const MotionPiece& piece)

@@ -11,16 +11,12 @@
 
 namespace overfly {
 
-// What lies across each side of each triangle: side k of triangle t at 3 t + k.
+// What lies across each side of each triangle: the neighbour's corner that is not on the side; any vertex where there
+// is no neighbour. Who walks on needs it at once, not after having found out which side of the neighbour it is.
 struct Across {
-    struct Side {
-        HalfEdgeId twin = kNone;
-        VertexId apex = 0;  // the neighbour's corner that is not on the side; any vertex where there is none
-    };
-
     explicit Across(const TriangleMesh& mesh);
 
-    std::vector<Side> sides;
+    std::vector<std::array<VertexId, 3>> apexes;
 };
 
 // A quadratic vector of u by its coefficients, c[power][axis].

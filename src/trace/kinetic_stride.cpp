@@ -35,7 +35,8 @@ class Walk {
           who_(task.who),
           enough_(static_cast<float>(task.enough_u)),
           log_(&log),
-          across_(reinterpret_cast<const std::int32_t*>(task.scene.across->sides.data())),
+          twins_(reinterpret_cast<const std::int32_t*>(task.scene.mesh->twins.data())),
+          apexes_(reinterpret_cast<const std::int32_t*>(task.scene.across->apexes.data())),
           places_(task.scene.positions.front().data()),
           front_(reinterpret_cast<const std::int32_t*>(task.scene.front.data())) {}
 
@@ -285,9 +286,9 @@ class Walk {
                                        hn::IfThenElse(hn::RebindMask(di, by2), hn::Set(di, 2), hn::Zero(di)));
         const I side = modulo3(hn::Add(load(w_.side, first), local));
         const I row = hn::Add(triangle, hn::Add(triangle, triangle));
-        const I entry = hn::ShiftLeft<1>(hn::Add(row, side));
-        const I twin = hn::GatherIndex(di, across_, entry);
-        const I apex = hn::GatherIndex(di, across_ + 1, entry);
+        const I entry = hn::Add(row, side);
+        const I twin = hn::GatherIndex(di, twins_, entry);
+        const I apex = hn::GatherIndex(di, apexes_, entry);
         const M border = as_mask(twin);
         const I next = hn::IfThenElseZero(hn::RebindMask(di, hn::Not(border)), hn::ShiftRight<2>(twin));
         const I next_side = hn::And(twin, hn::Set(di, 3));
@@ -329,7 +330,7 @@ class Walk {
     std::span<const std::uint32_t> who_;
     float enough_;
     StrideLog* log_;
-    const std::int32_t* across_;
+    const std::int32_t *twins_, *apexes_;  // three for each triangle
     const float* places_;
     const std::int32_t* front_;
     std::size_t next_ = 0;

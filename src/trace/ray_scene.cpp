@@ -12,6 +12,10 @@
 namespace overfly {
 namespace {
 
+// Triangles from which on memory counts more than time: a compact hierarchy takes 30 bytes less for each, and rays a
+// fifth longer.
+constexpr std::size_t kHugeMesh = 8'000'000;
+
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Vector<Scene> closest_on_triangle(Vector<Scene> p, const std::array<Vector<Scene>, 3>& corner) {
@@ -55,7 +59,8 @@ struct RayScene::Embree {
         device = rtcNewDevice(nullptr);
         check(device != nullptr, "Embree gives a device");
         scene = rtcNewScene(device);
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+        const bool is_huge = mesh->triangles.size() > kHugeMesh;
+        rtcSetSceneFlags(scene, is_huge ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT : RTC_SCENE_FLAG_ROBUST);
         rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
         if (!mesh->triangles.empty()) add_mesh();
         rtcCommitScene(scene);
@@ -100,9 +105,8 @@ void RayScene::Embree::add_mesh() {
         *vertices++ = static_cast<float>(v.y);
         *vertices++ = static_cast<float>(v.z);
     }
-    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(VertexId),
-                                            mesh->triangles.size());
-    std::memcpy(indices, mesh->triangles.data(), mesh->triangles.size() * sizeof(mesh->triangles[0]));
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh->triangles.data(), 0,
+                               sizeof mesh->triangles[0], mesh->triangles.size());
     for (const auto& t : mesh->triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             const double side = distance(mesh->positions[t[k]], mesh->positions[t[(k + 1) % 3]]);
