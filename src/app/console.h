@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/progress.h"
 
@@ -15,6 +16,7 @@ struct CommonOptions {
     int threads = 0;  // 0: as many as the machine has
     bool quiet = false;
     bool json = false;
+    std::vector<std::string> command;  // what was typed, the program's name first and without its folder
 };
 
 // Writes to standard error, and goes on where that fails: a log on a full disk must not end a render.

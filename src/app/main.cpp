@@ -8,16 +8,12 @@
 #include "app/console.h"
 #include "app/stop_signal.h"
 #include "app/verbs.h"
-#include "config/library_versions.h"
 #include "config/nearest_word.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/version.h"
-#include "geo/library_versions.h"
-#include "io/library_versions.h"
-#include "mesh/library_versions.h"
 #include "shot/interrupted.h"
-#include "trace/library_versions.h"
+#include "shot/library_versions.h"
 
 namespace overfly {
 namespace {
@@ -28,21 +24,20 @@ struct Verb {
     AddVerb add;
 };
 
-constexpr std::array<Verb, 6> kVerbs = {{
+constexpr std::array<Verb, 8> kVerbs = {{
     {"import", "inspect elevation data and prepare it as a scene", add_import},
     {"path", "check a flight: length, speed, clearance, angular rates", add_path},
     {"render", "render the frames of a shot", add_render},
     {"batch", "render many shots, one after another", add_batch},
-    {"bench", "compare the tracers on a shot", add_bench},
+    {"bench", "compare tracers on a shot, compressions of its frames", add_bench},
     {"timeline", "draw what a pixel sees when", add_timeline},
+    {"verify", "check whether a folder of frames is complete and sound", add_verify},
+    {"info", "tell what a frame holds", add_info},
 }};
 
 std::string version_text() {
     std::string text = fmt::format("overfly {}", kVersion);
-    for (const auto& versions : {core_library_versions(), geo_library_versions(), mesh_library_versions(),
-                                 trace_library_versions(), io_library_versions(), config_library_versions()}) {
-        for (const LibraryVersion& v : versions) text += fmt::format("\n{} {}", v.name, v.version);
-    }
+    for (const LibraryVersion& v : all_library_versions()) text += fmt::format("\n{} {}", v.name, v.version);
     return text;
 }
 
@@ -77,6 +72,8 @@ int run(int argc, char** argv) {
     program.set_version_flag("--version", version_text);
     program.require_subcommand(1);
     CommonOptions common;
+    common.command = {"overfly"};
+    common.command.insert(common.command.end(), argv + 1, argv + argc);
     std::function<int()> chosen;
     for (const Verb& verb : kVerbs) {
         CLI::App* sub = program.add_subcommand(verb.name, verb.description);

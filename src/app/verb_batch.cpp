@@ -73,6 +73,7 @@ int run_batch(const Arguments& arguments, const CommonOptions& common) {
     options.progress = console.progress();
     options.say = [&](const std::string& line) { console.say(line); };
     options.should_stop = stop_was_asked;
+    options.command = common.command;
     const auto outcomes = render_batch(shots_of(arguments.documents), arguments.overrides.assignments(), options);
     const int exit_code = report(console, outcomes);
     console.result("", batch_json(outcomes));

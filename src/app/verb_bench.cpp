@@ -6,6 +6,7 @@
 #include "app/shot_arguments.h"
 #include "app/verb_bench_hybrid.h"
 #include "app/verb_bench_paper.h"
+#include "app/verb_bench_write.h"
 #include "app/verbs.h"
 #include "shot/bench_flight.h"
 #include "shot/prepare_scene.h"
@@ -209,8 +210,10 @@ RunVerb add_bench(CLI::App& verb) {
     arguments->overrides.add_to(*flight);
     const RunVerb run_paper = add_bench_paper(verb);
     const RunVerb run_hybrid = add_bench_hybrid(verb);
-    return [arguments, run_paper, run_hybrid, &verb](const CommonOptions& common) {
+    const RunVerb run_write = add_bench_write(verb);
+    return [arguments, run_paper, run_hybrid, run_write, &verb](const CommonOptions& common) {
         if (verb.got_subcommand("paper")) return run_paper(common);
+        if (verb.got_subcommand("write")) return run_write(common);
         return verb.got_subcommand("hybrid") ? run_hybrid(common) : run_flight(*arguments, common);
     };
 }

@@ -17,6 +17,7 @@ namespace {
 struct Arguments {
     std::string shot, frames;
     std::uint64_t check_every = 0;
+    bool repair = false;
     ShotArguments overrides;
 };
 
@@ -51,6 +52,8 @@ int run_render(const Arguments& arguments, const CommonOptions& common) {
     options.say = [&](const std::string& line) { console.say(line); };
     options.should_stop = stop_was_asked;
     options.check_every = arguments.check_every;
+    options.repair = arguments.repair;
+    options.command = common.command;
     const RenderResult result = render_shot(shot, options);
     summarise(console, result);
     console.result("", render_json(result));
@@ -65,6 +68,8 @@ RunVerb add_render(CLI::App& verb) {
     verb.add_option("--frames", arguments->frames, "which frames: 10-20, 1-100:5, 1,5,9 (all)");
     verb.add_option("--check-every", arguments->check_every,
                     "debugging: ask rays again what every so many-th line of the kinetic tracer sees (0: none)");
+    verb.add_flag("--repair", arguments->repair,
+                  "render again what overfly verify finds bad, not only what is missing or incomplete");
     arguments->overrides.add_to(verb);
     return [arguments](const CommonOptions& common) { return run_render(*arguments, common); };
 }

@@ -22,6 +22,8 @@ RunVerb add_render(CLI::App& verb);
 RunVerb add_batch(CLI::App& verb);
 RunVerb add_bench(CLI::App& verb);
 RunVerb add_timeline(CLI::App& verb);
+RunVerb add_verify(CLI::App& verb);
+RunVerb add_info(CLI::App& verb);
 
 // Exit codes.
 inline constexpr int kDone = 0;

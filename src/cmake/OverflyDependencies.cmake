@@ -24,6 +24,7 @@ overfly_require(OpenImageIO libopenimageio-dev 2.4)
 # Debian's target names the headers of OpenCV as well, which its package does not bring and we do not need; CMake refuses
 # a folder that is not there.
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OpenImageIO_INCLUDE_DIR}")
+overfly_require(OpenColorIO libopencolorio-dev 2.1 MODULE)
 overfly_require(OpenSSL libssl-dev 3.0)
 overfly_require(yaml-cpp libyaml-cpp-dev 0.7)
 overfly_require(embree libembree-dev 3.13)

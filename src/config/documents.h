@@ -7,6 +7,9 @@
 
 #include "core/colour.h"
 #include "core/error.h"
+#include "core/local_time.h"
+#include "film/frame_storage.h"
+#include "film/preview_style.h"
 #include "flight/body_motion.h"
 #include "flight/body_path.h"
 #include "flight/body_shape.h"
@@ -50,7 +53,8 @@ struct FramesDocument {
     int first = 1;             // number of the first frame
     std::optional<int> count;  // none: as many as the flight lasts
     FrameRate rate;
-    double start_s = 0.0;  // flight time of the first frame, from the flight's first keyframe
+    double start_s = 0.0;             // flight time of the first frame, from the flight's first keyframe
+    std::optional<LocalTime> date{};  // at the flight's first keyframe, for headers
 };
 
 struct ImageDocument {
@@ -72,6 +76,8 @@ struct OutputDocument {
     std::string name;  // frames are NAME.0001.exr
     bool contact_sheet = true;
     bool movie = true;
+    FrameStorage storage;
+    PreviewStyle preview;  // of the contact sheet and the movie
 };
 
 // A body in a shot. The motion of one with an outline is its place, at rest.

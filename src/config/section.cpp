@@ -155,6 +155,11 @@ void Section::each(std::string_view key, Empty empty, const std::function<void(S
 
 bool Section::has(std::string_view key) { return find(key) != nullptr; }
 
+bool Section::has_word(std::string_view key) {
+    const Node* node = find(key);
+    return node && node->kind == Node::Kind::Scalar;
+}
+
 void Section::require(std::initializer_list<std::string_view> keys) {
     for (const std::string_view key : keys) {
         if (!has(key)) problem(fmt::format("missing key '{}'", key));

@@ -76,6 +76,7 @@ class Section {
     void each(std::string_view key, Empty empty, const std::function<void(Section&)>& read);
 
     [[nodiscard]] bool has(std::string_view key);
+    [[nodiscard]] bool has_word(std::string_view key);  // a single value, neither a list nor a mapping
     [[nodiscard]] Place place() const { return node_ ? node_->place : Place{}; }
     void require(std::initializer_list<std::string_view> keys);
     void allow_one_of(std::string_view key, std::string_view other);

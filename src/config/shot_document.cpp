@@ -4,16 +4,25 @@
 #include "config/body_flights.h"
 #include "config/document_file.h"
 #include "config/frame_rate.h"
+#include "config/output_keys.h"
 #include "config/read.h"
 
 namespace overfly {
 namespace config {
 namespace {
 
+void read_date(Section& section, std::optional<LocalTime>& date) {
+    std::string text;
+    if (!section.read("date", text, kLocalTimeAllowed)) return;
+    date = parse_local_time(text);
+    if (!date) section.refuse("date", kLocalTimeAllowed);
+}
+
 void read_frames(Section& section, FramesDocument& frames) {
     section.read("first", frames.first, {0, 9'999'999});
     section.read("count", frames.count, {1, 10'000'000});
     section.read("start_s", frames.start_s, {-1'000'000, 1'000'000});
+    read_date(section, frames.date);
     std::string rate_text;
     if (!section.read("rate", rate_text, kFrameRateAllowed)) return;
     const std::optional<FrameRate> rate = parse_frame_rate(rate_text);
@@ -63,21 +72,6 @@ void read_look(Section& section, LookDocument& document) {
     double visibility_km = 0.0;
     if (section.read("visibility_km", visibility_km, {0, 100'000})) look.visibility_m = 1000.0 * visibility_km;
     section.read("exposure_stops", look.exposure_stops, {-20, 20});
-}
-
-void read_output(Section& section, OutputDocument& output) {
-    section.read("folder", output.folder, PathTo::Folder);
-    std::string name = output.name;
-    if (section.read("name", name)) {
-        const bool file_name = name.find('/') == std::string::npos && name.find('\0') == std::string::npos;
-        if (file_name && name != "." && name != "..") {
-            output.name = name;
-        } else {
-            section.refuse("name", "a file name without folders");
-        }
-    }
-    section.read("contact_sheet", output.contact_sheet);
-    section.read("movie", output.movie);
 }
 
 }  // namespace

@@ -12,20 +12,20 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "io/digits.h"
+#include "io/burn_in.h"
 #include "io/frame_file.h"
 #include "io/png_file.h"
 
 namespace overfly {
 namespace {
 
-constexpr int kGap_px = 4;              // around and between thumbnails
-constexpr std::uint8_t kPaper = 32;     // a dark grey
-constexpr int kThumbnailsPerDot = 160;  // a dot of the frame number is this part of a thumbnail's width
+constexpr int kGap_px = 4;           // around and between thumbnails
+constexpr std::uint8_t kPaper = 32;  // a dark grey
+constexpr int kDotsAcross = 160;     // a dot of what is written is this part of a thumbnail's width
 
-std::vector<NumberedFrame> evenly_spread(std::span<const NumberedFrame> frames, int most) {
+std::vector<std::filesystem::path> evenly_spread(std::span<const std::filesystem::path> frames, int most) {
     const auto wanted = std::min(frames.size(), static_cast<std::size_t>(most));
-    std::vector<NumberedFrame> chosen;
+    std::vector<std::filesystem::path> chosen;
     for (std::size_t i = 0; i < wanted; ++i) {
         const std::size_t last_step = std::max<std::size_t>(wanted - 1, 1);
         chosen.push_back(frames[(i * (frames.size() - 1) + last_step / 2) / last_step]);
@@ -50,6 +50,15 @@ Frame resized(const Frame& frame, int width) {
     return small;
 }
 
+DisplayImage thumbnail(const std::filesystem::path& frame, const ContactSheetOptions& options) {
+    const Frame small = resized(read_frame(frame), options.thumbnail_width_px);
+    DisplayImage image = display_image(small, options.look.view);
+    BurnIn wanted = options.look.burn_in;
+    wanted.frame = true;  // in any case
+    burn_in(image, burn_in_lines(wanted, frame), std::max(1, options.thumbnail_width_px / kDotsAcross));
+    return image;
+}
+
 void paste(DisplayImage& sheet, const DisplayImage& thumbnail, int left, int top) {
     const int rows = std::min(thumbnail.height, sheet.height - top);
     for (int y = 0; y < rows; ++y) {
@@ -61,17 +70,13 @@ void paste(DisplayImage& sheet, const DisplayImage& thumbnail, int left, int top
 
 }  // namespace
 
-DisplayImage contact_sheet(std::span<const NumberedFrame> frames, const ContactSheetOptions& options) {
+DisplayImage contact_sheet(std::span<const std::filesystem::path> frames, const ContactSheetOptions& options) {
     check(!frames.empty(), "a contact sheet has frames");
     check(options.columns > 0 && options.most_thumbnails > 0 && options.thumbnail_width_px > 0,
           "a contact sheet's options are positive");
-    const std::vector<NumberedFrame> chosen = evenly_spread(frames, options.most_thumbnails);
+    const std::vector<std::filesystem::path> chosen = evenly_spread(frames, options.most_thumbnails);
     std::vector<DisplayImage> thumbnails(chosen.size());
-    parallel_for(chosen.size(), [&](std::size_t i) {
-        thumbnails[i] = display_image(resized(read_frame(chosen[i].file), options.thumbnail_width_px));
-        const int dot_px = std::max(1, options.thumbnail_width_px / kThumbnailsPerDot);
-        draw_number(thumbnails[i], chosen[i].number, 0, thumbnails[i].height, dot_px);
-    });
+    parallel_for(chosen.size(), [&](std::size_t i) { thumbnails[i] = thumbnail(chosen[i], options); });
 
     const int count = static_cast<int>(thumbnails.size());
     const int columns = std::min(options.columns, count);
@@ -87,9 +92,9 @@ DisplayImage contact_sheet(std::span<const NumberedFrame> frames, const ContactS
     return sheet;
 }
 
-void write_contact_sheet(const std::filesystem::path& file, std::span<const NumberedFrame> frames,
+void write_contact_sheet(const std::filesystem::path& file, std::span<const std::filesystem::path> frames,
                          const ContactSheetOptions& options) {
-    write_png(file, contact_sheet(frames, options));
+    write_png(file, contact_sheet(frames, options), options.look.remark());
 }
 
 }  // namespace overfly

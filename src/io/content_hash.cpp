@@ -9,7 +9,6 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "io/sha256.h"
 
 namespace overfly {
 namespace {
@@ -34,12 +33,22 @@ Sha256Digest file_digest(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string content_hash(std::span<const std::filesystem::path> files, std::string_view settings) {
+std::vector<HashedFile> hashed_files(std::span<const std::filesystem::path> files) {
+    std::vector<HashedFile> hashed(files.size());
+    parallel_for(files.size(), [&](std::size_t i) { hashed[i] = {files[i], file_digest(files[i])}; });
+    return hashed;
+}
+
+std::string content_hash_of(std::span<const HashedFile> files, std::string_view settings) {
     // Each part has its own digest, so that no byte can move from one part to the next unseen.
-    std::vector<Sha256Digest> parts(files.size() + 1);
-    parallel_for(files.size(), [&](std::size_t i) { parts[i] = file_digest(files[i]); });
-    parts.back() = sha256(std::as_bytes(std::span(settings)));
+    std::vector<Sha256Digest> parts;
+    for (const HashedFile& file : files) parts.push_back(file.sha256);
+    parts.push_back(sha256(std::as_bytes(std::span(settings))));
     return hex(sha256(std::as_bytes(std::span(parts))));
+}
+
+std::string content_hash(std::span<const std::filesystem::path> files, std::string_view settings) {
+    return content_hash_of(hashed_files(files), settings);
 }
 
 }  // namespace overfly

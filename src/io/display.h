@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "film/frame.h"
+#include "io/view_transform.h"
 
 namespace overfly {
 
-// A picture as a screen shows it: sRGB, 8 bits, red, green, blue, row 0 at the top.
+// A picture as a screen shows it: 8 bits, red, green, blue, row 0 at the top.
 struct DisplayImage {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgb = {};
@@ -19,11 +20,7 @@ struct DisplayImage {
     friend bool operator==(const DisplayImage&, const DisplayImage&) = default;
 };
 
-// Linear light as it is up to 0.8; above that highlights approach 1 instead of being cut off.
-// GUARANTEES: monotonous, below or at 1, with a continuous slope; what is negative becomes 0.
-[[nodiscard]] float soft_highlight(float linear);
-
-// The frame's colours through soft_highlight and the sRGB transfer. What is transparent shows black behind it.
-[[nodiscard]] DisplayImage display_image(const Frame& frame);
+// The frame's colours as `view` shows them. What is transparent shows black behind it.
+[[nodiscard]] DisplayImage display_image(const Frame& frame, const ViewTransform& view = {});
 
 }  // namespace overfly

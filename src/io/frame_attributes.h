@@ -26,7 +26,9 @@ struct FrameAttribute {
 inline constexpr const char* kInputsAttribute = "overfly:inputs";
 
 // Standard attributes in the standard's types, which are single precision, and the same camera in double precision
-// under the prefix `overfly:`. A longitude in single precision is exact to 2 m only.
+// under the prefix `overfly:`. A longitude in single precision is exact to 2 m only; worldToNDC has the precision of
+// the scene's coordinates: from a camera 20 km from its origin it puts what is 400 m away within 0.01 pixel (1920
+// pixels in 60 degrees), what is nearer less exactly. overfly:worldToNDC is exact.
 [[nodiscard]] std::vector<FrameAttribute> frame_attributes(const FrameHeader& header, int width_px, int height_px);
 
 }  // namespace overfly

@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "core/local_time.h"
 #include "film/frame.h"
+#include "film/frame_storage.h"
 #include "flight/camera_path.h"
 #include "flight/lens.h"
 #include "flight/shutter.h"
@@ -12,11 +14,21 @@
 
 namespace overfly {
 
+// A document that a frame comes from.
+struct NamedDocument {
+    std::string name;    // of its file, without folders
+    std::string sha256;  // of what it holds; empty: not known
+
+    friend bool operator==(const NamedDocument&, const NamedDocument&) = default;
+};
+
 // What a frame's header says beside its pixels.
 struct FrameHeader {
     int number = 1;
     double time_s = 0.0;  // of the frame, on the flight's axis
     FrameRate rate;
+    FrameRate capture_rate;         // exposures per second of the flight: `rate`, unless time is slowed down
+    std::optional<LocalTime> date;  // when the simulated flight is at time_s
     double exposure_s = 0.0;
     Angle shutter_angle;
     CameraPose camera;  // at the middle of the exposure
@@ -24,18 +36,20 @@ struct FrameHeader {
     Geodetic camera_place;           // the same camera on the ellipsoid
     double camera_altitude_m = 0.0;  // above sea level (EGM96)
     Geodetic scene_origin;
-    std::string software;               // "overfly 0.1.0"
-    std::string shot, terrain, flight;  // file names of the documents, without folders
-    std::string inputs;                 // a hash of all that the pixels were made from
+    std::string software;  // "overfly 0.1.0"
+    NamedDocument shot, terrain, flight;
+    std::string inputs;  // a hash of all that the pixels were made from
 };
 
-// Writes an OpenEXR file with half R, G, B, A and float Z (ZIP), under a temporary name beside `file`, and renames it
-// into place when it is complete. Standard attributes where there are some (framesPerSecond, expTime, shutterAngle,
-// worldToCamera, worldToNDC, longitude, latitude, altitude, ...), `overfly:` ones for the rest; "world" is the Scene
-// frame. Throws UserError that names the file when it cannot be written (no such folder, no permission, disk full);
-// nothing is left behind.
-// REQUIRES: colours and depths are finite. A colour beyond the range of half (65504) becomes its end.
-void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header);
+// Writes an OpenEXR file with half R, G, B, A and float Z, compressed as `storage` says, under a temporary name beside
+// `file`, and renames it into place when it is complete. Where the groups of layers are compressed differently, each is
+// a part of its own (`beauty`, `data`) with the same header: OpenEXR has one compression a part. Standard attributes
+// where there are some (framesPerSecond, expTime, shutterAngle, worldToCamera, worldToNDC, longitude, latitude,
+// altitude, ...), `overfly:` ones for the rest; "world" is the Scene frame. Throws UserError that names the file when
+// it cannot be written (no such folder, no permission, disk full); nothing is left behind. REQUIRES: colours and depths
+// are finite; storage.data is lossless. A colour beyond the range of half (65504) becomes its end.
+void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
+                 const FrameStorage& storage = {});
 
 // Whether `file` is a frame that can be read to its last line.
 [[nodiscard]] bool is_complete_frame(const std::filesystem::path& file);
@@ -43,7 +57,7 @@ void write_frame(const std::filesystem::path& file, const Frame& frame, const Fr
 // The `inputs` that the frame was written with; nothing where the file says none or is no frame at all.
 [[nodiscard]] std::optional<std::string> frame_inputs(const std::filesystem::path& file);
 
-// Reads R, G, B, A and Z back. Throws UserError.
+// Reads R, G, B, A and Z back, in whichever part they are. Throws UserError.
 [[nodiscard]] Frame read_frame(const std::filesystem::path& file);
 
 }  // namespace overfly

@@ -1,5 +1,6 @@
 #include "io/library_versions.h"
 
+#include <OpenColorIO/OpenColorIO.h>
 #include <OpenEXR/OpenEXRConfig.h>
 #include <OpenImageIO/imageio.h>
 #include <assimp/version.h>
@@ -20,6 +21,7 @@ std::vector<LibraryVersion> io_library_versions() {
             {"PROJ", fmt::format("{}.{}.{}", major, minor, patch)},
             {"OpenEXR", OPENEXR_VERSION_STRING},
             {"OpenImageIO", fmt::format("{}.{}.{}", oiio / 10000, oiio / 100 % 100, oiio % 100)},
+            {"OpenColorIO", OCIO_NAMESPACE::GetVersion()},
             {"Assimp", fmt::format("{}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch())}};
 }
 

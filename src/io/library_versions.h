@@ -6,7 +6,7 @@
 
 namespace overfly {
 
-// GDAL, PROJ, OpenEXR, OpenImageIO, Assimp.
+// GDAL, PROJ, OpenEXR, OpenImageIO, OpenColorIO, Assimp.
 [[nodiscard]] std::vector<LibraryVersion> io_library_versions();
 
 }  // namespace overfly

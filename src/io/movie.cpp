@@ -6,12 +6,14 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "io/burn_in.h"
 #include "io/display.h"
 #include "io/encoder_process.h"
 #include "io/frame_file.h"
@@ -40,9 +42,15 @@ DisplayImage even_sized(DisplayImage image) {
     return image;
 }
 
-DisplayImage movie_picture(const std::filesystem::path& frame) { return even_sized(display_image(read_frame(frame))); }
+constexpr int kDotsAcross = 480;  // a dot of what is burnt in is this part of a picture's width
 
-std::vector<std::string> ffmpeg_arguments(const DisplayImage& first, FrameRate rate,
+DisplayImage movie_picture(const std::filesystem::path& frame, const PreviewLook& look) {
+    DisplayImage image = display_image(read_frame(frame), look.view);
+    burn_in(image, burn_in_lines(look.burn_in, frame), std::max(1, image.width / kDotsAcross));
+    return even_sized(std::move(image));
+}
+
+std::vector<std::string> ffmpeg_arguments(const DisplayImage& first, FrameRate rate, const std::string& remark,
                                           const std::filesystem::path& output) {
     // Without -xerror ffmpeg takes a disk that is full at the end of the file for a success.
     return {"ffmpeg", "-nostdin", "-loglevel", "error", "-xerror", "-y",
@@ -54,16 +62,16 @@ std::vector<std::string> ffmpeg_arguments(const DisplayImage& first, FrameRate r
             "-color_trc", "iec61966-2-1", "-color_range", "tv",
             // what goes out
             "-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
-            "-f", "mp4", "file:" + output.string()};
+            "-metadata", "comment=" + remark, "-f", "mp4", "file:" + output.string()};
 }
 
 // Reads and develops some frames at a time in parallel, and hands them to `use` in order.
 template <class Use>
-void for_each_picture(std::span<const std::filesystem::path> frames, const Use& use) {
+void for_each_picture(std::span<const std::filesystem::path> frames, const PreviewLook& look, const Use& use) {
     const auto batch_size = static_cast<std::size_t>(thread_limit());
     for (std::size_t begin = 0; begin < frames.size(); begin += batch_size) {
         std::vector<DisplayImage> pictures(std::min(batch_size, frames.size() - begin));
-        parallel_for(pictures.size(), [&](std::size_t i) { pictures[i] = movie_picture(frames[begin + i]); });
+        parallel_for(pictures.size(), [&](std::size_t i) { pictures[i] = movie_picture(frames[begin + i], look); });
         for (std::size_t i = 0; i < pictures.size(); ++i) use(begin + i, pictures[i]);
     }
 }
@@ -71,17 +79,17 @@ void for_each_picture(std::span<const std::filesystem::path> frames, const Use& 
 }  // namespace
 
 void write_movie(const std::filesystem::path& file, std::span<const std::filesystem::path> frames, FrameRate rate,
-                 const Progress& progress) {
+                 const Progress& progress, const PreviewLook& look) {
     check(!frames.empty(), "a movie has frames");
-    const DisplayImage first = movie_picture(frames.front());
+    const DisplayImage first = movie_picture(frames.front(), look);
     TemporaryFile temporary(file);
-    const auto encoder = EncoderProcess::start(ffmpeg_arguments(first, rate, temporary.path()));
+    const auto encoder = EncoderProcess::start(ffmpeg_arguments(first, rate, look.remark(), temporary.path()));
     if (!encoder) {
         throw UserError(Place{file},
                         "needs the program ffmpeg, which is not installed (Debian: apt-get install ffmpeg)");
     }
     bool reads = true;
-    for_each_picture(frames, [&](std::size_t i, const DisplayImage& picture) {
+    for_each_picture(frames, look, [&](std::size_t i, const DisplayImage& picture) {
         if (picture.width != first.width || picture.height != first.height) {
             throw UserError(Place{frames[i]}, "has another size than the first frame of its movie");
         }

@@ -12,10 +12,11 @@
 
 namespace overfly {
 
-void write_png(const std::filesystem::path& file, const DisplayImage& image) {
+void write_png(const std::filesystem::path& file, const DisplayImage& image, const std::string& remark) {
     check(image.width > 0 && image.height > 0, "a picture has pixels");
     OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
+    if (!remark.empty()) spec.attribute("ImageDescription", remark);
 
     // Encoded in memory: what can go wrong with the file is then OutputFile's to find.
     OIIO::Filesystem::IOVecOutput encoded;

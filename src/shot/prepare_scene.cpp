@@ -9,7 +9,6 @@
 
 #include "core/error.h"
 #include "core/stopwatch.h"
-#include "io/content_hash.h"
 #include "io/elevation_file.h"
 #include "io/elevation_inputs.h"
 #include "io/temporary_file.h"
@@ -79,9 +78,10 @@ PreparedTerrain prepare_terrain(const TerrainDocument& document, const std::file
                                 const Progress& progress) {
     const Stopwatch watch;
     const std::vector<std::filesystem::path> inputs = elevation_inputs(document.source);
-    const std::string hash = content_hash(inputs, settings_of(document.source));
-    const std::filesystem::path file = cached_scene_file(cache_folder, hash);
     PreparedTerrain terrain;
+    terrain.inputs = hashed_files(inputs);
+    const std::string hash = content_hash_of(terrain.inputs, settings_of(document.source));
+    const std::filesystem::path file = cached_scene_file(cache_folder, hash);
     if (auto scene = load_scene(file); scene && scene->content_hash == hash) {
         terrain.scene = std::move(*scene);
         terrain.scene.report.files = inputs;  // the same content may have another name by now

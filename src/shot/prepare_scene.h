@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "config/documents.h"
 #include "core/progress.h"
+#include "io/content_hash.h"
 #include "io/scene_file.h"
 
 namespace overfly {
@@ -20,6 +22,7 @@ void try_to_save_scene(const std::filesystem::path& file, const PreparedScene& s
 
 struct PreparedTerrain {
     PreparedScene scene;
+    std::vector<HashedFile> inputs;  // all files that it was made from
     bool from_cache = false;
     double seconds = 0.0;
 };

@@ -24,28 +24,33 @@ bool is_outdated(const std::filesystem::path& preview, std::span<const std::file
 
 }  // namespace
 
-Previews make_previews(const ShotDocument& shot, std::span<const PlannedFrame> frames, const std::string& inputs,
-                       bool frames_changed, const Progress& progress) {
+PreviewLook preview_look_of(const ShotDocument& shot) {
+    if (!makes_previews(shot)) return {};
+    return {ViewTransform(shot.output.preview.view), shot.output.preview.burn_in};
+}
+
+Previews make_previews(const ShotDocument& shot, const PreviewLook& look, std::span<const PlannedFrame> frames,
+                       const std::string& inputs, bool frames_changed, const Progress& progress) {
     const OutputDocument& output = shot.output;
-    std::vector<NumberedFrame> numbered;
     std::vector<std::filesystem::path> files;
     for (const PlannedFrame& f : frames) {
         // Frames of an earlier version of the shot may even have another size.
         if (!std::filesystem::exists(f.file) || frame_inputs(f.file) != inputs) continue;
-        numbered.push_back({f.number, f.file});
         files.push_back(f.file);
     }
     Previews previews;
     if (files.empty()) return previews;
-    const auto is_due = [&](const std::filesystem::path& file) { return frames_changed || is_outdated(file, files); };
+    const auto is_due = [&](const std::filesystem::path& file) {
+        return frames_changed || is_outdated(file, files) || !carries_remark(file, look.remark());
+    };
     if (output.contact_sheet) {
         previews.contact_sheet = output.folder / (output.name + ".contact.png");
         if (progress) progress("making the contact sheet", 0.0, 0.0);
-        if (is_due(previews.contact_sheet)) write_contact_sheet(previews.contact_sheet, numbered);
+        if (is_due(previews.contact_sheet)) write_contact_sheet(previews.contact_sheet, files, {.look = look});
     }
     if (output.movie) {
         previews.movie = output.folder / (output.name + ".mp4");
-        if (is_due(previews.movie)) write_movie(previews.movie, files, shot.frames.rate, progress);
+        if (is_due(previews.movie)) write_movie(previews.movie, files, shot.frames.rate, progress, look);
     }
     return previews;
 }

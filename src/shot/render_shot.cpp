@@ -9,13 +9,17 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/stopwatch.h"
-#include "core/version.h"
 #include "io/frame_file.h"
 #include "io/temporary_file.h"
 #include "shot/expose_piece.h"
 #include "shot/flight_notes.h"
+#include "shot/frame_headers.h"
+#include "shot/frames_on_disk.h"
+#include "shot/input_files.h"
+#include "shot/manifest_description.h"
 #include "shot/previews.h"
 #include "shot/scene_light.h"
+#include "shot/sequence_manifest.h"
 #include "shot/shot_inputs.h"
 #include "shot/shot_motion.h"
 #include "shot/shot_sight.h"
@@ -45,9 +49,8 @@ struct Rendering {
 // closed.
 class FrameLoop {
   public:
-    FrameLoop(Rendering& rendering, const Stage& stage, const CameraPath& path, const Motion& motion,
-              std::string inputs)
-        : rendering_(&rendering), stage_(&stage), path_(&path), motion_(&motion), inputs_(std::move(inputs)) {}
+    FrameLoop(Rendering& rendering, const Motion& motion, const FrameHeaders& headers, SequenceManifest& manifest)
+        : rendering_(&rendering), motion_(&motion), headers_(&headers), manifest_(&manifest) {}
 
     void run(const Exposing& exposing, std::span<const PlannedFrame> frames) {
         total_ = static_cast<double>(frames.size());
@@ -67,6 +70,7 @@ class FrameLoop {
     struct OpenFrame {
         PlannedFrame frame;
         FilmFrame film;
+        double render_s = 0.0;
     };
 
     void expose(const Exposing& exposing, const MotionPiece& piece) {
@@ -85,6 +89,21 @@ class FrameLoop {
         };
         expose_piece(exposing, piece, frames, films, rendering_->result.counters, progress);
         rendering_->result.trace_s += watch.seconds();
+        share_out(watch.seconds(), piece.when);
+    }
+
+    // What a piece took, among the frames that were exposed in it, by how long they were; equally for instants.
+    void share_out(double seconds, TimeRange piece) {
+        const auto exposed_s = [&](const OpenFrame& open) {
+            const TimeRange& e = open.frame.exposure;
+            return std::max(0.0, std::min(e.end_s, piece.end_s) - std::max(e.begin_s, piece.begin_s));
+        };
+        double all_s = 0.0;
+        for (const OpenFrame& open : open_) all_s += exposed_s(open);
+        for (OpenFrame& open : open_) {
+            const double share = all_s > 0.0 ? exposed_s(open) / all_s : 1.0 / static_cast<double>(open_.size());
+            open.render_s += share * seconds;
+        }
     }
 
     void write_closed(double until_s) {
@@ -93,75 +112,41 @@ class FrameLoop {
             open_.begin(), open_.end(), [&](const OpenFrame& open) { return open.frame.exposure.end_s <= until_s; });
         std::vector<OpenFrame> closed(std::make_move_iterator(open_.begin()), std::make_move_iterator(still_open));
         open_.erase(open_.begin(), still_open);
+        std::vector<ManifestFrame> listed(closed.size());
         parallel_for(closed.size(), [&](std::size_t i) {
-            write_frame(closed[i].frame.file, std::move(closed[i].film).develop(), header_of(closed[i].frame));
+            write_frame(closed[i].frame.file, std::move(closed[i].film).develop(), headers_->of(closed[i].frame),
+                        rendering_->shot.output.storage);
+            // Read back, so that the manifest lists what is on disk.
+            listed[i] = manifest_frame(closed[i].frame, digest_frame(closed[i].frame.file), closed[i].render_s);
         });
+        for (ManifestFrame& frame : listed) manifest_->add(std::move(frame));
+        manifest_->save();
         done_ += static_cast<double>(closed.size());
         rendering_->result.frames_rendered += static_cast<int>(closed.size());
         rendering_->result.write_s += watch.seconds();
     }
 
-    [[nodiscard]] FrameHeader header_of(const PlannedFrame& frame) const {
-        const ShotDocument& shot = rendering_->shot;
-        const double time_s = frame.exposure.centre_s();
-        FrameHeader header;
-        header.number = frame.number;
-        header.time_s = frame.time_s;
-        header.rate = shot.frames.rate;
-        header.exposure_s = frame.exposure.duration_s();
-        header.shutter_angle = shot.shutter.angle;
-        header.camera = path_->pose_at(time_s);
-        header.sensor_width_mm = shot.flight.keyframes.front().lens.sensor_width_mm;
-        header.camera_place = path_->place_at(time_s);
-        header.camera_altitude_m =
-            header.camera_place.height_m - stage_->sea_level_m(header.camera_place.lon, header.camera_place.lat);
-        header.scene_origin = stage_->frame().origin();
-        header.software = fmt::format("overfly {}", kVersion);
-        header.shot = shot.file.filename().string();
-        header.terrain = shot.terrain.file.filename().string();
-        header.flight = shot.flight.file.filename().string();
-        header.inputs = inputs_;
-        return header;
-    }
-
     Rendering* rendering_;
-    const Stage* stage_;
-    const CameraPath* path_;
     const Motion* motion_;
-    std::string inputs_;
+    const FrameHeaders* headers_;
+    SequenceManifest* manifest_;
     std::vector<OpenFrame> open_;
     double done_ = 0.0, total_ = 0.0;
 };
 
-// The frames that are missing on disk, incomplete, or were made from other inputs.
 std::vector<PlannedFrame> frames_to_render(Rendering& rendering, const std::vector<PlannedFrame>& wanted,
-                                           const std::string& inputs) {
-    enum class State : std::uint8_t { Missing, Outdated, Complete };
-    std::vector<State> states(wanted.size(), State::Missing);
-    parallel_for(wanted.size(), [&](std::size_t i) {
-        const std::filesystem::path& file = wanted[i].file;
-        if (!std::filesystem::exists(file) || !is_complete_frame(file)) return;
-        states[i] = frame_inputs(file) == inputs ? State::Complete : State::Outdated;
-    });
-    std::vector<PlannedFrame> missing;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        if (states[i] != State::Complete) missing.push_back(wanted[i]);
-    }
-    const auto outdated = std::ranges::count(states, State::Outdated);
-    rendering.result.frames_kept = static_cast<int>(wanted.size() - missing.size());
-    if (rendering.result.frames_kept > 0) {
-        rendering.say(fmt::format("{} frames are complete already", rendering.result.frames_kept));
-    }
-    if (outdated > 0) {
-        rendering.say(fmt::format("{} frames are of an earlier version of the shot and are rendered again", outdated));
-    }
-    return missing;
+                                           const std::string& inputs, SequenceManifest& manifest) {
+    const RenderOptions& options = rendering.options;
+    if (manifest.was_broken()) rendering.say("the manifest can't be read and is made anew from the frames");
+    FramesOnDisk found = look_at_frames(wanted, {rendering.shot, inputs, options.repair, options.progress}, manifest);
+    rendering.result.frames_kept = found.kept;
+    for (const std::string& news : found.news) rendering.say(news);
+    return std::move(found.to_render);
 }
 
 // Everything that a shot is rendered from, ready.
 struct Scenery {
     Stage& stage;
-    const CameraPath& path;
     const std::vector<PlannedFrame>& planned;  // all of the shot
     const ShotBodies& bodies;
     const Daylight& daylight;
@@ -176,7 +161,7 @@ void report_mesh(Rendering& rendering, const FlightMeshReport& mesh) {
 }
 
 void render_frames(Rendering& rendering, const Scenery& scenery, const std::vector<PlannedFrame>& frames,
-                   const std::string& inputs) {
+                   const FrameHeaders& headers, SequenceManifest& manifest) {
     const ShotDocument& shot = rendering.shot;
     const Stopwatch watch;
     const SceneLight light(shot, scenery.stage, scenery.daylight, rendering.options.progress);
@@ -186,7 +171,8 @@ void render_frames(Rendering& rendering, const Scenery& scenery, const std::vect
     const ShotTracers tracers(shot, scenery.stage, scenery.bodies, scenery.sight, rendering.options.check_every);
     const Exposing exposing = {
         tracers.pair(), shader, {shot.image.width, shot.image.height}, rendering.options.should_stop, scenery.planned};
-    FrameLoop(rendering, scenery.stage, scenery.path, scenery.sight.motions.front(), inputs).run(exposing, frames);
+    manifest.save();  // without the frames that are about to be replaced
+    FrameLoop(rendering, scenery.sight.motions.front(), headers, manifest).run(exposing, frames);
 }
 
 std::vector<PlannedFrame> chosen(const std::vector<PlannedFrame>& frames, const std::string& choice) {
@@ -216,6 +202,8 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
     const RenderOptions options = stoppable(asked);
     Rendering rendering{shot, options};
     RenderResult& result = rendering.result;
+    const PreviewLook preview_look = preview_look_of(shot);
+    if (makes_previews(shot)) rendering.say("preview: " + preview_look.view.story());
     Stage stage(prepare_terrain(shot.terrain, options.cache_folder, options.progress), middle_of(shot.flight));
     result.prepare_s = watch.seconds();
     const CameraPath path = make_path(shot.flight, stage);
@@ -226,12 +214,16 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
     result.folder = shot.output.folder;
     for (const std::string& note : flight_notes(wanted, path, stage.surroundings())) rendering.say(note);
     const std::string inputs = shot_inputs_hash(shot, stage.terrain().scene.content_hash);
-    const std::vector<PlannedFrame> missing = frames_to_render(rendering, wanted, inputs);
+    SequenceManifest manifest(shot.output.folder, shot.output.name, inputs);
+    const std::vector<PlannedFrame> missing = frames_to_render(rendering, wanted, inputs, manifest);
     // Before the folder is made, so that a body that is refused leaves nothing behind.
     const ShotBodies bodies = missing.empty() ? ShotBodies{} : make_bodies(shot, stage);
     for (const std::string& note : mesh_notes(bodies)) rendering.say(note);
     make_folder(shot.output.folder);
     remove_abandoned_files(shot.output.folder);
+    std::vector<InputFile> files;
+    if (!missing.empty() || manifest.is_changed()) files = input_files(shot, stage.terrain().inputs);
+    ManifestSubjects subjects = {shot, stage.terrain(), frames, files, options.command, {}, {}};
     if (!missing.empty()) {
         report_mesh(rendering, fit_mesh_to_flight(stage, shot, path, options.cache_folder, options.progress));
         const Daylight daylight(shot.look.look);
@@ -239,10 +231,17 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
             make_sight(shot, path, shot_motion(shot, path, frames, stage), {stage, bodies, daylight.to_sun()});
         result.motion_pieces = sight.motions.front().pieces.size();
         result.motion_error_px = largest_error_px(sight);
-        render_frames(rendering, {stage, path, frames, bodies, daylight, sight}, missing, inputs);
+        subjects.mesh_error_px = result.mesh.largest_error_px;
+        subjects.motion_error_px = result.motion_error_px;
+        manifest.describe(describe_sequence(subjects));
+        const FrameHeaders headers(shot, stage, path, inputs, files);
+        render_frames(rendering, {stage, frames, bodies, daylight, sight}, missing, headers, manifest);
+    } else if (manifest.is_changed()) {
+        manifest.describe(describe_sequence(subjects));
+        manifest.save();
     }
     const Stopwatch preview_watch;
-    result.previews = make_previews(shot, frames, inputs, result.frames_rendered > 0, options.progress);
+    result.previews = make_previews(shot, preview_look, frames, inputs, result.frames_rendered > 0, options.progress);
     result.preview_s = preview_watch.seconds();
     result.total_s = watch.seconds();
     return result;

@@ -26,6 +26,8 @@ struct RenderOptions {
     // Of so many lines that the kinetic tracer follows, one is asked again of a discrete ray, and those that differ are
     // counted (trace/kinetic_check.h); 0: none.
     std::uint64_t check_every = 0;
+    bool repair = false;               // keep only what verify_folder finds sound (shot/frames_on_disk.h)
+    std::vector<std::string> command;  // what the user typed, for the manifest
 };
 
 struct RenderResult {

@@ -76,6 +76,8 @@ std::string shot_inputs_hash(const ShotDocument& shot, const std::string& scene_
     const Look& look = shot.look.look;
     text += fmt::format("frames {} {}/{} {}\n", shot.frames.first, shot.frames.rate.numerator,
                         shot.frames.rate.denominator, shot.frames.start_s);
+    // Headers are part of a frame. Nothing without a date, so that frames from before there was one are kept.
+    if (shot.frames.date) text += fmt::format("date {}\n", iso_text(*shot.frames.date));
     text += fmt::format("image {}x{} {}\n", shot.image.width, shot.image.height, shot.image.transparent_sky);
     text += fmt::format("shutter {} {}\n", shot.shutter.angle.radians(), static_cast<int>(shot.shutter.phase));
     const TracerKind tracer = shot.sampling.tracer;
@@ -88,6 +90,10 @@ std::string shot_inputs_hash(const ShotDocument& shot, const std::string& scene_
                         look.sun_strength, look.sky_strength, look.visibility_m, look.exposure_stops);
     text += fmt::format("motion {} mesh {}\n", shot.motion_bound_px, shot.mesh_pixel_error);
     text += fmt::format("mirrors {} shadows {}\n", shot.sampling.mirror_depth, static_cast<int>(shot.look.sun_shadows));
+    // What is stored without loss is the same frame however it is compressed.
+    const FrameStorage& storage = shot.output.storage;
+    if (is_lossy(storage.beauty))
+        text += fmt::format("compression {} {}\n", static_cast<int>(storage.beauty), storage.quality);
     std::vector<std::filesystem::path> files;
     for (const BodyDocument& body : shot.bodies) text += text_of(body, files);
     if (!shot.look.colours.empty()) files.push_back(shot.look.colours);

@@ -4,6 +4,7 @@
 //   same FRAME FRAME      whether all pixels of all channels are equal to the bit
 //   has FRAME ATTRIBUTE   whether the header has it
 //   summit FRAME TERRAIN  prints where worldToNDC puts the terrain's highest vertex: x, y in pixels, depth in metres
+//   change, pixels_of, hashed_bytes, centroid: see probe_frames.h
 //   skyline FRAME COLUMN  prints the row and the depth of the uppermost pixel of the column that isn't only sky
 // Exit code 0: yes or done, 1: no.
 #include <algorithm>
@@ -23,6 +24,7 @@
 #include "config/read.h"
 #include "core/error.h"
 #include "io/frame_file.h"
+#include "probe_frames.h"
 #include "shot/prepare_scene.h"
 
 namespace overfly {
@@ -52,7 +54,7 @@ bool print_summit(const Arguments& a) {
     const Imath::M44f m = Imf::worldToNDC(file.header());
     const auto column = [&](int c) { return summit.x * m[0][c] + summit.y * m[1][c] + summit.z * m[2][c] + m[3][c]; };
     const auto size = file.header().displayWindow().size();
-    fmt::print("{:.3f} {:.3f} {:.3f}\n", column(0) / column(3) * (size.x + 1), column(1) / column(3) * (size.y + 1),
+    fmt::print("{:.5f} {:.5f} {:.3f}\n", column(0) / column(3) * (size.x + 1), column(1) / column(3) * (size.y + 1),
                column(3));
     return true;
 }
@@ -76,6 +78,10 @@ const std::map<std::string, bool (*)(const Arguments&)> kQuestions = {
     {"has", has_attribute},
     {"summit", print_summit},
     {"skyline", print_skyline},
+    {"change", probe::change},
+    {"pixels_of", probe::pixels_of},
+    {"hashed_bytes", probe::print_hashed_bytes},
+    {"centroid", probe::print_centroid},
 };
 
 }  // namespace

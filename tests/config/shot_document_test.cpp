@@ -17,6 +17,8 @@ TEST(ReadShotDocument, ReadsEveryKey) {
     EXPECT_EQ(shot.frames.count, 48);
     EXPECT_EQ(shot.frames.rate, (FrameRate{24000, 1001}));
     EXPECT_EQ(shot.frames.start_s, 0.5);
+    ASSERT_TRUE(shot.frames.date);
+    EXPECT_EQ(iso_text(*shot.frames.date), "2026-06-21T09:30:00-06:00");
     EXPECT_EQ(shot.image.width, 640);
     EXPECT_EQ(shot.image.height, 360);
     EXPECT_TRUE(shot.image.transparent_sky);
@@ -39,6 +41,12 @@ TEST(ReadShotDocument, ReadsEveryKey) {
     EXPECT_EQ(shot.output.name, "blanca");
     EXPECT_FALSE(shot.output.contact_sheet);
     EXPECT_FALSE(shot.output.movie);
+    EXPECT_EQ(shot.output.storage,
+              (FrameStorage{.beauty = Compression::Dwaa, .data = Compression::Piz, .quality = 60.0}));
+    EXPECT_EQ(shot.output.preview.burn_in, (BurnIn{.frame = true, .place = false, .time = true}));
+    const ViewChoice view{
+        .config = good_folder / "shot.yaml", .colour_space = "linear", .display = "Monitor", .view = "Film"};
+    EXPECT_EQ(shot.output.preview.view, view);
     EXPECT_EQ(shot.motion_bound_px, 0.05);
     EXPECT_EQ(shot.mesh_pixel_error, 0.25);
 }
@@ -47,6 +55,7 @@ TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
     const ShotDocument shot = read_shot_document(good_folder / "smallest_shot.yaml");
     EXPECT_EQ(shot.frames.first, 1);
     EXPECT_EQ(shot.frames.count, std::nullopt);
+    EXPECT_EQ(shot.frames.date, std::nullopt);
     EXPECT_EQ(shot.frames.rate, (FrameRate{24, 1}));
     EXPECT_EQ(shot.image.width, 960);
     EXPECT_EQ(shot.image.height, 540);
@@ -59,8 +68,30 @@ TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
     EXPECT_TRUE(shot.look.colours.empty());
     EXPECT_EQ(shot.output.folder, "out/smallest_shot");
     EXPECT_EQ(shot.output.name, "smallest_shot");
+    EXPECT_EQ(shot.output.storage, FrameStorage{});
+    EXPECT_EQ(shot.output.preview.burn_in, BurnIn{});
+    EXPECT_EQ(shot.output.preview.view, ViewChoice{});
     EXPECT_EQ(shot.motion_bound_px, 0.01);
     EXPECT_EQ(shot.mesh_pixel_error, 0.5);
+}
+
+OutputDocument output_with(const std::string& assignment) {
+    return read_shot_document(good_folder / "smallest_shot.yaml", std::vector<std::string>{assignment}).output;
+}
+
+TEST(ReadShotDocument, TakesOneCompressionForAllLayersThatBearIt) {
+    EXPECT_EQ(output_with("output.compression=zips").storage,
+              (FrameStorage{.beauty = Compression::Zips, .data = Compression::Zips}));
+    EXPECT_EQ(output_with("output.compression=dwaa").storage,
+              (FrameStorage{.beauty = Compression::Dwaa, .data = Compression::Zip}));
+    EXPECT_EQ(output_with("output.compression.beauty=piz").storage,
+              (FrameStorage{.beauty = Compression::Piz, .data = Compression::Zip}));
+}
+
+TEST(ReadShotDocument, TakesTrueForAllThatCanBeBurntIn) {
+    EXPECT_EQ(output_with("output.burn_in=true").preview.burn_in, (BurnIn{.frame = true, .place = true, .time = true}));
+    EXPECT_EQ(output_with("output.burn_in=[place]").preview.burn_in, (BurnIn{.place = true}));
+    EXPECT_EQ(output_with("output.burn_in=false").preview.burn_in, BurnIn{});
 }
 
 TEST(ReadShotDocument, TakesAnEmptySectionForOneOfDefaults) {

@@ -14,14 +14,14 @@ namespace overfly {
 namespace {
 
 // Frames of one colour each, brighter and brighter: 1/count, 2/count ...
-std::vector<NumberedFrame> grey_sequence(const TemporaryFolder& folder, int count) {
-    std::vector<NumberedFrame> frames;
+std::vector<std::filesystem::path> grey_sequence(const TemporaryFolder& folder, int count) {
+    std::vector<std::filesystem::path> frames;
     for (int number = 1; number <= count; ++number) {
         Frame frame = sample_frame(32, 18);
         const float level = 0.7F * static_cast<float>(number) / static_cast<float>(count);
         for (auto& rgba : frame.rgba) rgba = {level, level, level, 1.0F};
-        frames.push_back({number, folder / ("f." + std::to_string(number) + ".exr")});
-        write_frame(frames.back().file, frame, sample_header());
+        frames.push_back(folder / ("f." + std::to_string(number) + ".exr"));
+        write_frame(frames.back(), frame, sample_header());
     }
     return frames;
 }
@@ -45,7 +45,7 @@ TEST(ContactSheet, ShowsFramesInReadingOrder) {
     EXPECT_EQ(sheet.width, 3 * 68 + 4);
     EXPECT_EQ(sheet.height, 2 * 40 + 4);
     std::vector<int> expected;
-    for (const NumberedFrame& frame : frames) expected.push_back(display_image(read_frame(frame.file)).rgb.front());
+    for (const auto& frame : frames) expected.push_back(display_image(read_frame(frame)).rgb.front());
     EXPECT_EQ(levels(sheet, 3, 2, 64, 36), expected);
     EXPECT_LT(expected.front(), expected.back());
 }
@@ -54,7 +54,7 @@ TEST(ContactSheet, SpreadsALongSequenceFromTheFirstToTheLast) {
     const TemporaryFolder folder;
     const auto frames = grey_sequence(folder, 11);
     const DisplayImage sheet = contact_sheet(frames, {.columns = 3, .most_thumbnails = 3, .thumbnail_width_px = 32});
-    const auto level = [&](std::size_t i) { return int{display_image(read_frame(frames[i].file)).rgb.front()}; };
+    const auto level = [&](std::size_t i) { return int{display_image(read_frame(frames[i])).rgb.front()}; };
     EXPECT_EQ(levels(sheet, 3, 1, 32, 18), (std::vector<int>{level(0), level(5), level(10)}));
 }
 
@@ -67,7 +67,7 @@ TEST(ContactSheet, IsAsWideAsAShortSequence) {
 TEST(ContactSheet, NamesAFrameThatCannotBeRead) {
     const TemporaryFolder folder;
     auto frames = grey_sequence(folder, 2);
-    frames[1].file = folder / "missing.exr";
+    frames[1] = folder / "missing.exr";
     try {
         static_cast<void>(contact_sheet(frames));
         FAIL() << "no error";

@@ -1,5 +1,6 @@
 #include "io/frame_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <fstream>
@@ -7,8 +8,11 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -87,6 +91,92 @@ TEST(FrameFile, IsHalfColourAndFloatDepthInZip) {
               (std::vector<OIIO::TypeDesc>{OIIO::TypeDesc::HALF, OIIO::TypeDesc::HALF, OIIO::TypeDesc::HALF,
                                            OIIO::TypeDesc::HALF, OIIO::TypeDesc::FLOAT}));
     EXPECT_EQ(spec.get_string_attribute("compression"), "zip");
+}
+
+std::string compression_of_part(const std::filesystem::path& file, int part) {
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input || !input->seek_subimage(part, 0)) return "no such part";
+    return input->spec().get_string_attribute("compression");
+}
+
+TEST(FrameFile, IsCompressedAsAskedFor) {
+    const TemporaryFolder folder;
+    const Frame frame = sample_frame(67, 41);
+    const std::vector<std::pair<Compression, std::string>> all = {
+        {Compression::Zip, "zip"}, {Compression::Zips, "zips"}, {Compression::Piz, "piz"}};
+    for (const auto& [compression, name] : all) {
+        write_frame(folder / "a.exr", frame, sample_header(), {.beauty = compression, .data = compression});
+        EXPECT_EQ(compression_of_part(folder / "a.exr", 0), name);
+        EXPECT_EQ(compression_of_part(folder / "a.exr", 1), "no such part");
+        write_frame(folder / "zip.exr", frame, sample_header());
+        EXPECT_EQ(read_frame(folder / "a.exr"), read_frame(folder / "zip.exr")) << name;
+    }
+}
+
+TEST(FrameFile, HasAPartForEachGroupThatIsCompressedDifferently) {
+    const TemporaryFolder folder;
+    const FrameStorage storage = {.beauty = Compression::Dwaa, .data = Compression::Zips, .quality = 80.0};
+    write_frame(folder / "a.exr", sample_frame(67, 41), sample_header(), storage);
+    EXPECT_THAT(compression_of_part(folder / "a.exr", 0), testing::StartsWith("dwaa"));
+    EXPECT_EQ(compression_of_part(folder / "a.exr", 1), "zips");
+    const auto input = OIIO::ImageInput::open((folder / "a.exr").string());
+    ASSERT_TRUE(input);
+    const std::vector<std::pair<std::string, std::vector<std::string>>> parts = {{"beauty", {"R", "G", "B", "A"}},
+                                                                                 {"data", {"Z"}}};
+    for (int part = 0; part < 2; ++part) {
+        ASSERT_TRUE(input->seek_subimage(part, 0));
+        const OIIO::ImageSpec& spec = input->spec();
+        const auto& [name, channels] = parts[static_cast<std::size_t>(part)];
+        EXPECT_EQ(spec.get_string_attribute("oiio:subimagename"), name);
+        EXPECT_EQ(spec.channelnames, channels);
+        EXPECT_EQ(spec.get_int_attribute("imageCounter"), 25) << name;  // all parts have the whole header
+    }
+}
+
+TEST(FrameFile, LosesNothingOfDataAndLittleOfLossyColour) {
+    const TemporaryFolder folder;
+    const Frame frame = sample_frame(67, 41);
+    write_frame(folder / "a.exr", frame, sample_header(), {.beauty = Compression::Dwaa});
+    const Frame back = read_frame(folder / "a.exr");
+    EXPECT_EQ(back.depth_m, frame.depth_m);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < frame.rgba.size(); ++i) {
+        EXPECT_EQ(back.rgba[i][3], frame.rgba[i][3]);  // alpha is no colour
+        for (std::size_t c = 0; c < 3; ++c)
+            largest = std::max<double>(largest, std::abs(back.rgba[i][c] - frame.rgba[i][c]));
+    }
+    EXPECT_GT(largest, 1e-4);
+    EXPECT_LT(largest, 0.03);
+}
+
+TEST(FrameFile, IsSmallerWhereMoreMayBeLost) {
+    const TemporaryFolder folder;
+    write_frame(folder / "fine.exr", sample_frame(67, 41), sample_header(), {.beauty = Compression::Dwaa});
+    write_frame(folder / "coarse.exr", sample_frame(67, 41), sample_header(),
+                {.beauty = Compression::Dwaa, .quality = 400.0});
+    EXPECT_LT(std::filesystem::file_size(folder / "coarse.exr"), std::filesystem::file_size(folder / "fine.exr"));
+}
+
+TEST(FrameFile, StoresNoDataWithLoss) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(write_frame(folder / "a.exr", sample_frame(4, 4), sample_header(), {.data = Compression::Dwaa}),
+                 InternalError);
+    EXPECT_EQ(folder.file_count(), 0U);
+}
+
+TEST(FrameFile, KnowsAFrameOfPartsThatIsCutOffOrDamaged) {
+    const TemporaryFolder folder;
+    write_frame(folder / "whole.exr", sample_frame(40, 33), sample_header(), {.beauty = Compression::Dwaa});
+    EXPECT_TRUE(is_complete_frame(folder / "whole.exr"));
+    const std::string whole = content(folder / "whole.exr");
+    for (std::size_t size = 0; size < whole.size(); size += 7) {
+        std::ofstream(folder / "cut.exr", std::ios::binary) << whole.substr(0, size);
+        ASSERT_FALSE(is_complete_frame(folder / "cut.exr")) << size << " of " << whole.size();
+    }
+    std::string damaged = whole;
+    damaged[damaged.size() - 100] = static_cast<char>(damaged[damaged.size() - 100] ^ 0x55);
+    std::ofstream(folder / "cut.exr", std::ios::binary) << damaged;
+    EXPECT_FALSE(is_complete_frame(folder / "cut.exr"));
 }
 
 TEST(FrameFile, KnowsAFrameThatIsCutOffAtAnyByte) {

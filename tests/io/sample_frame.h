@@ -29,6 +29,8 @@ inline FrameHeader sample_header() {
     header.number = 25;
     header.time_s = 1.0;
     header.rate = {24000, 1001};
+    header.capture_rate = {24000, 1001};
+    header.date = parse_local_time("2026-06-21T23:59:59.75-06:00");
     header.exposure_s = 1001.0 / 48000.0;
     header.shutter_angle = Angle::degrees(180.0);
     header.camera.position = {1000.0, 2000.0, 4500.0};
@@ -39,9 +41,9 @@ inline FrameHeader sample_header() {
     header.camera_altitude_m = 4500.0;
     header.scene_origin = {Angle::degrees(-105.45), Angle::degrees(37.55), 0.0};
     header.software = "overfly 0.1.0";
-    header.shot = "demo.yaml";
-    header.terrain = "blanca_peak.yaml";
-    header.flight = "ridge.yaml";
+    header.shot = {"demo.yaml", std::string(64, 'a')};
+    header.terrain = {"blanca_peak.yaml", std::string(64, 'b')};
+    header.flight = {"ridge.yaml", ""};
     return header;
 }
 

@@ -8,6 +8,7 @@ BEGIN {
     home["^(gdal|ogr|cpl|vrt)[a-z_]*[.]h$"] = "io"
     home["^(OpenEXR|Imath)/"] = "io"
     home["^OpenImageIO/"] = "io"
+    home["^OpenColorIO/"] = "io"
     home["^openssl/"] = "io"
     home["^assimp/"] = "io"
     home["^geos_c[.]h$"] = "mesh"
@@ -17,7 +18,7 @@ BEGIN {
     home["^hwy/"] = "trace shade"
     home["^(oneapi/)?tbb/"] = "core"
     home["^CLI/"] = "app"
-    home["^nlohmann/"] = "app"
+    home["^nlohmann/"] = "io app"
     home["^fmt/"] = "any"
     home["^(sys/|(unistd|fcntl|spawn|signal|stdlib)[.]h$)"] = "any"  # POSIX
 }

@@ -24,13 +24,14 @@ class PreviewsOfAShot : public testing::Test {
         header.inputs = inputs;
         write_frame(frames_[i].file, sample_frame(width, 18), header);
     }
-    Previews make(bool frames_changed) { return make_previews(shot_, frames_, "mine", frames_changed, {}); }
+    Previews make(bool frames_changed) { return make_previews(shot_, look_, frames_, "mine", frames_changed, {}); }
     static std::filesystem::file_time_type time_of(const std::filesystem::path& file) {
         return std::filesystem::last_write_time(file);
     }
 
     TemporaryFolder folder_;
     ShotDocument shot_;
+    PreviewLook look_;
     std::vector<PlannedFrame> frames_;
 };
 
@@ -53,6 +54,18 @@ TEST_F(PreviewsOfAShot, LeaveOutFramesOfAnotherVersionOfTheShot) {
     EXPECT_TRUE(make(true).contact_sheet.empty());
     write(1, "mine");
     EXPECT_FALSE(make(true).contact_sheet.empty());
+}
+
+TEST_F(PreviewsOfAShot, AreMadeAgainWithAnotherLook) {
+    write(0, "mine");
+    const auto sheet = make(true).contact_sheet;
+    const auto long_after = time_of(sheet) + std::chrono::hours(1);
+    std::filesystem::last_write_time(sheet, long_after);
+    static_cast<void>(make(false));
+    EXPECT_EQ(time_of(sheet), long_after);
+    look_.burn_in.place = true;
+    static_cast<void>(make(false));
+    EXPECT_NE(time_of(sheet), long_after);
 }
 
 TEST_F(PreviewsOfAShot, AreKeptWhenNewerThanTheirFrames) {

@@ -36,6 +36,8 @@ TEST(ShotInputs, EverythingThatChangesPixelsChangesTheHash) {
             s.frames.rate = {25, 1};
         },
         [](ShotDocument& s) { s.frames.start_s = 0.5; },
+        [](ShotDocument& s) { s.frames.date = parse_local_time("2026-06-21T09:30:00-06:00"); },
+        [](ShotDocument& s) { s.frames.date = parse_local_time("2026-06-21T09:30:00-05:00"); },
         [](ShotDocument& s) { s.image.width = 961; },
         [](ShotDocument& s) { s.image.height = 541; },
         [](ShotDocument& s) { s.image.transparent_sky = true; },
@@ -152,6 +154,16 @@ TEST(ShotInputs, NeedTheMeshOfABody) {
     EXPECT_THROW((void)shot_inputs_hash(shot, "scene"), UserError);
 }
 
+TEST(ShotInputs, HoldWhatColoursLose) {
+    const TemporaryFolder folder;
+    const ShotDocument shot = sample_shot(folder.path());
+    ShotDocument lossy = shot, coarse = shot;
+    lossy.output.storage.beauty = Compression::Dwaa;
+    coarse.output.storage = {.beauty = Compression::Dwaa, .quality = 90.0};
+    EXPECT_NE(shot_inputs_hash(lossy, "scene"), shot_inputs_hash(shot, "scene"));
+    EXPECT_NE(shot_inputs_hash(coarse, "scene"), shot_inputs_hash(lossy, "scene"));
+}
+
 TEST(ShotInputs, NamesAndChoicesDoNotChangeTheHash) {
     const TemporaryFolder folder;
     const ShotDocument shot = sample_shot(folder.path());
@@ -161,7 +173,10 @@ TEST(ShotInputs, NamesAndChoicesDoNotChangeTheHash) {
         [](ShotDocument& s) { s.output.folder = "elsewhere"; },
         [](ShotDocument& s) { s.output.name = "another"; },
         [](ShotDocument& s) { s.output.movie = false; },
-        [](ShotDocument& s) { s.sampling.samples = 99; },  // of the tracer that isn't used
+        [](ShotDocument& s) { s.output.preview.burn_in.frame = true; },
+        [](ShotDocument& s) { s.output.storage = {.beauty = Compression::Piz, .data = Compression::Zips}; },
+        [](ShotDocument& s) { s.output.storage.quality = 60.0; },  // of a compression that isn't used
+        [](ShotDocument& s) { s.sampling.samples = 99; },          // of the tracer that isn't used
     };
     for (std::size_t i = 0; i < changes.size(); ++i) {
         ShotDocument changed = shot;

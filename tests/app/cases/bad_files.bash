@@ -43,7 +43,20 @@ case_disk_full_while_writing_a_frame() {
     run render shot.yaml --quiet
     expect_exit 0
     expect_clean_folder out
-    expect_equal 'frames' "$(ls out | wc -l)" 6
+    expect_equal 'frames' "$(ls out/*.exr | wc -l)" 6
+}
+
+case_manifest_cannot_be_written() {
+    small_shot
+    mkdir -p out/manifest.json/inside
+    run render shot.yaml --quiet
+    refused "out/manifest.json: can't be written: Is a directory"
+    expect_clean_folder out
+    rm -r out/manifest.json
+    run render shot.yaml
+    expect_exit 0
+    run verify out
+    expect_exit 0
 }
 
 case_disk_full_while_writing_the_contact_sheet() {
@@ -51,7 +64,7 @@ case_disk_full_while_writing_the_contact_sheet() {
     render_with_full_disk 24 render shot.yaml --quiet --set output.contact_sheet=true
     refused "out/shot.contact.png: can't be written: File too large"
     expect_clean_folder out
-    expect_equal 'frames' "$(ls out)" "$(printf 'shot.%04d.exr\n' 1 2 3 4 5 6)"
+    expect_equal 'frames' "$(ls out)" "$(printf 'manifest.json\n'; printf 'shot.%04d.exr\n' 1 2 3 4 5 6)"
 }
 
 case_disk_full_while_writing_the_movie() {
@@ -61,7 +74,7 @@ case_disk_full_while_writing_the_movie() {
     expect_exit 2
     expect_match stderr '^out/shot.mp4: ffmpeg failed: '
     expect_clean_folder out
-    expect_equal 'files' "$(ls out | wc -l)" 6
+    expect_equal 'frames' "$(ls out/*.exr | wc -l)" 6
 }
 
 case_terrain_document_cannot_be_written() {
@@ -77,7 +90,7 @@ case_no_place_for_the_cache() {
     XDG_CACHE_HOME=$PWD/no_folder run render shot.yaml --quiet
     expect_exit 0
     expect_empty stderr
-    expect_equal 'frames' "$(ls out | wc -l)" 6
+    expect_equal 'frames' "$(ls out/*.exr | wc -l)" 6
 }
 
 case_standard_output_is_full() {
@@ -96,7 +109,7 @@ case_standard_error_is_full() {
     : >stderr
     expect_exit 0
     expect_clean_folder out
-    expect_equal 'frames' "$(ls out | wc -l)" 6
+    expect_equal 'frames' "$(ls out/*.exr | wc -l)" 6
     "$OVERFLY" render nothing.yaml 2>/dev/full || exit_code=$?
     expect_exit 2
 }
@@ -107,7 +120,7 @@ case_missing_ffmpeg() {
     PATH=$PWD/empty run render shot.yaml --quiet --set output.movie=true
     refused 'out/shot.mp4: needs the program ffmpeg, which is not installed (Debian: apt-get install ffmpeg)'
     expect_clean_folder out
-    expect_equal 'frames' "$(ls out | wc -l)" 6
+    expect_equal 'frames' "$(ls out/*.exr | wc -l)" 6
     run render shot.yaml --set output.movie=true
     expect_exit 0
     expect_match stderr '^out: 0 of 6 frames rendered, 6 kept, in '

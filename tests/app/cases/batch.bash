@@ -35,7 +35,7 @@ case_batch_documents_and_shots_mixed() {
     printf 'shots:\n  - ../b.yaml\n' >lists/night.yaml
     run batch a.yaml lists/night.yaml nothing.yaml --quiet --set frames.count=2
     expect_exit 2
-    expect_equal 'frames' "$(ls out)" "$(printf '%s\n' a.0001.exr a.0002.exr b.0001.exr b.0002.exr)"
+    expect_equal 'frames' "$(ls out)" "$(printf '%s\n' a.0001.exr a.0002.exr b.0001.exr b.0002.exr manifest.json)"
     refused '  FAILED  nothing.yaml' '          nothing.yaml: no such file'
 }
 

@@ -6,7 +6,7 @@ case_version() {
     expect_empty stderr
     expect_match <(head -1 stdout) '^overfly [0-9]+[.][0-9]+[.][0-9]+$'
     local library
-    for library in oneTBB GeographicLib GEOS Embree Highway GDAL PROJ OpenEXR OpenImageIO Assimp yaml-cpp; do
+    for library in oneTBB GeographicLib GEOS Embree Highway GDAL PROJ OpenEXR OpenImageIO OpenColorIO Assimp yaml-cpp; do
         expect_match stdout "^$library [0-9]+[.]"
     done
 }
@@ -15,8 +15,8 @@ case_help() {
     run --help
     expect_exit 0
     local verb
-    for verb in import path render batch bench timeline; do expect_match stdout "^  $verb  +[a-z]"; done
-    for verb in import path render batch bench 'bench flight' 'bench hybrid' 'bench paper' timeline; do
+    for verb in import path render batch bench timeline verify info; do expect_match stdout "^  $verb  +[a-z]"; done
+    for verb in import path render batch bench 'bench flight' 'bench hybrid' 'bench paper' timeline verify info; do
         # shellcheck disable=SC2086
         run $verb --help
         expect_exit 0
@@ -27,17 +27,17 @@ case_help() {
 
 case_no_verb() {
     run
-    refused 'overfly: a verb is missing; known: import, path, render, batch, bench, timeline (overfly --help tells more)'
+    refused 'overfly: a verb is missing; known: import, path, render, batch, bench, timeline, verify, info (overfly --help tells more)'
 }
 
 case_unknown_verb() {
     run rendr shot.yaml
-    refused "overfly: unknown verb 'rendr'; did you mean 'render'? known: import, path, render, batch, bench, timeline (overfly --help tells more)"
+    refused "overfly: unknown verb 'rendr'; did you mean 'render'? known: import, path, render, batch, bench, timeline, verify, info (overfly --help tells more)"
 }
 
 case_unknown_options() {
     run --nonsense
-    refused "overfly: unknown option '--nonsense'; a verb comes first: import, path, render, batch, bench, timeline (overfly --help tells more)"
+    refused "overfly: unknown option '--nonsense'; a verb comes first: import, path, render, batch, bench, timeline, verify, info (overfly --help tells more)"
     run render shot.yaml --nonsense
     refused 'overfly: The following argument was not expected: --nonsense (overfly render --help tells more)'
     run render

@@ -100,3 +100,72 @@ case_world_to_ndc_puts_a_needle_where_it_is_seen() {
     expect_near 'row of the tip' "$row.5" "$y" 1
     expect_near 'column of the tip' "$column.5" "$x" 1
 }
+
+# A level square at the highest sample, once black and once white: what differs between the two is what the square covers,
+# whatever lies behind it. Seen from straight above and askew, the middle of that is where the summit is rendered: no
+# perspective moves it, and sides across the pixels' rows leave nothing of their grid. Its place comes from GDAL's own
+# programs, the summit's from worldToNDC and the mesh.
+marked_summit() {  # marked_summit OPTION...: into x y (projected) and seen_x seen_y (rendered), in pixels
+    small_shot
+    local east north height_m lon lat square='[[30, 30, 0], [-30, 30, 0], [-30, -30, 0], [30, -30, 0]]'
+    read -r east north height_m < <(gdal_translate -q -of XYZ dem.tif /vsistdout/ | sort -gk3 | tail -1)
+    read -r lon lat _ < <(gdaltransform -s_srs EPSG:32613 -t_srs EPSG:4326 <<<"$east $north")
+    cat >flight.yaml <<END
+height_above: sea_level
+lens: {hfov_deg: 20}
+keyframes:
+  - {time_s: 0, lon_deg: -105.4895, lat_deg: 37.5760, height_m: 7000, heading_deg: 20, pitch_deg: -90}
+  - {time_s: 1, lon_deg: -105.4880, lat_deg: 37.5764, height_m: 7050, heading_deg: 25, pitch_deg: -90}
+END
+    cat >>shot.yaml <<END
+bodies:
+  - {name: marker, shadow: false, polygons: [$square], place: {lon_deg: $lon, lat_deg: $lat, height_m: $height_m, height_above: sea_level}}
+END
+    set -- --frames 3 --set image.width=320 --set image.height=180 --set sampling.lines=64 --quiet "$@"
+    run render shot.yaml "$@" -o white --set bodies.0.colour=[1,1,1]
+    expect_exit 0
+    run render shot.yaml "$@" -o black --set bodies.0.colour=[0,0,0]
+    expect_exit 0
+    read -r x y _ < <("$OVERFLY_PROBE" summit white/shot.0003.exr terrain.yaml)
+    read -r seen_x seen_y < <("$OVERFLY_PROBE" centroid white/shot.0003.exr black/shot.0003.exr G)
+}
+
+case_world_to_ndc_is_exact_to_a_hundredth_of_a_pixel() {
+    local x y seen_x seen_y
+    marked_summit --set shutter.angle_deg=0
+    expect_near 'x of the summit' "$seen_x" "$x" 0.01
+    expect_near 'y of the summit' "$seen_y" "$y" 0.01
+}
+
+# The header's camera is that of the middle of the exposure, whatever its phase: so is the middle of the blur.
+case_world_to_ndc_is_that_of_the_middle_of_the_exposure() {
+    local x y seen_x seen_y
+    marked_summit --set shutter.angle_deg=360 --set shutter.phase=start
+    expect_near 'x of the summit' "$seen_x" "$x" 0.01
+    expect_near 'y of the summit' "$seen_y" "$y" 0.01
+}
+
+case_date_rate_and_documents() {
+    small_shot
+    run render shot.yaml --frames 3 --set frames.date=2026-06-21T23:59:59-06:00 --set frames.start_s=1
+    expect_exit 0
+    header out/shot.0003.exr
+    local line document
+    for line in 'capDate (type string): "2026:06:22 00:00:00"' 'utcOffset (type float): 21600' \
+        'overfly:date (type string): "2026-06-22T00:00:00.083333-06:00"' 'captureRate (type rational): 24/1 (24)' \
+        'sensorCenterOffset (type v2f): (0 0)' 'pixelAspectRatio (type float): 1' \
+        'screenWindowCenter (type v2f): (0 0)' 'worldToNDC (type m44f):' 'overfly:worldToNDC (type m44d)'; do
+        expect_line header "$line"
+    done
+    expect_match header '^screenWindowWidth \(type float\): 1[.]1547'
+    expect_match header '^chromaticities \(type chromaticities\):$'
+    for document in shot terrain flight; do
+        expect_line header "overfly:${document}Sha256 (type string): \"$(sha256sum <$document.yaml | cut -d' ' -f1)\""
+    done
+    oiiotool --info -v out/shot.0003.exr >info
+    expect_match info '^    DateTime: "2026:06:22 00:00:00"'
+    expect_match info '^    captureRate: 24/1'
+    # A date changes headers, so frames with another one are of another version.
+    run render shot.yaml --frames 3 --set frames.date=2026-06-21T23:59:58-06:00 --set frames.start_s=1
+    expect_line stderr '1 frames are of an earlier version of the shot and are rendered again'
+}

@@ -92,7 +92,7 @@ case_interrupt_during_the_movie() {
     expect_exit 130
     expect_line stderr 'stopped; what was finished is complete, and a second run goes on from there'
     expect_clean_folder out
-    expect_equal 'files' "$(ls out | wc -l)" 6
+    expect_equal 'frames' "$(ls out/*.exr | wc -l)" 6
     run render shot.yaml --set output.movie=true
     expect_exit 0
     expect test -s out/shot.mp4
