@@ -109,7 +109,12 @@ nlohmann::ordered_json bench_json(const BenchResult& r) {
             {"equal_error", equal_error_json(r.error)},
             {"error_curves", {{"discrete", curve_json(r.error.discrete)}, {"kinetic", curve_json(r.error.kinetic)}}},
             {"threads", threads},
-            {"frame_rate_cost", rates}};
+            {"frame_rate_cost", rates},
+            {"end_to_end",
+             {{"lines", r.end_to_end.lines},
+              {"expose_seconds", r.end_to_end.expose_s},
+              {"write_seconds", r.end_to_end.write_s},
+              {"ratio", r.end_to_end.ratio()}}}};
 }
 
 std::string volumes_text(const BenchResult& r) {
@@ -156,6 +161,9 @@ std::string speed_text(const BenchResult& r) {
     for (const ThreadTiming& t : r.threads)
         text += fmt::format("  {} threads: {:.2f} times as fast as one\n", t.threads,
                             r.threads.front().seconds / t.seconds);
+    const EndToEnd& end = r.end_to_end;
+    text += fmt::format("  a frame of {} lines: {:.2f} s, its file {:.3f} s, together {:.1f} times the file\n",
+                        end.lines, end.expose_s, end.write_s, end.ratio());
     return text + "\n";
 }
 

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <thread>
 
 #include "core/stopwatch.h"
+#include "io/frame_file.h"
 #include "shot/processor_time.h"
+#include "shot/scratch_folder.h"
 #include "shot/shot_motion.h"
 
 namespace overfly {
@@ -19,6 +22,9 @@ constexpr std::array<std::size_t, 3> kSwollenPieces = {1, 4, 16};
 
 // As in a render: the second sample of a pixel finds in the caches what the first has fetched.
 constexpr int kSamplesPerPixel = 4;
+
+// Of a frame that goes into a file, and how often that is written: the quickest counts.
+constexpr int kLinesToTheEnd = 4, kWritingRuns = 3;
 
 struct Work {
     const MotionPiece& piece;
@@ -106,6 +112,7 @@ class FlightBench {
         compare_boxes();
         compare_answers();
         time_threads();
+        time_end_to_end();
         result_.error = bench_error(*scene_, options_->progress);
         return std::move(result_);
     }
@@ -200,6 +207,26 @@ class FlightBench {
             result_.threads.push_back({threads, watch.seconds()});
         }
         limit_threads(before);
+    }
+
+    void time_end_to_end() {
+        say("timing a frame with its file");
+        const OneThread one_thread;
+        SamplingDocument sampling = scene_->shot().sampling;
+        sampling.tracer = TracerKind::Kinetic;
+        sampling.lines = kLinesToTheEnd;
+        const ShotTracers tracers = scene_->tracers(sampling);
+        const BenchWork work = middle_frame(*scene_);
+        const Exposed exposed = expose(scene_->exposing(tracers), work);
+        FrameHeader header;
+        header.camera = scene_->path().pose_at(work.frames.front().exposure.centre_s());
+        const ScratchFolder scratch;
+        result_.end_to_end = {kLinesToTheEnd, exposed.seconds, std::numeric_limits<double>::infinity()};
+        for (int run = 0; run < kWritingRuns; ++run) {
+            const double start_s = processor_seconds();
+            write_frame(scratch.file(), exposed.frames.front(), header, scene_->shot().output.storage);
+            result_.end_to_end.write_s = std::min(result_.end_to_end.write_s, processor_seconds() - start_s);
+        }
     }
 
     void say(std::string_view what) const {

@@ -35,6 +35,14 @@ struct RateCost {
     double ns_per_pixel_second = 0.0;  // of the flight
 };
 
+// One frame from its lines to its file on one thread, and what compressing and writing that file takes of it.
+struct EndToEnd {
+    int lines = 0;
+    double expose_s = 0.0, write_s = 0.0;
+
+    [[nodiscard]] double ratio() const { return (expose_s + write_s) / write_s; }
+};
+
 struct BenchResult {
     int width = 0, height = 0, frames = 0;
     std::size_t timed_pieces = 0;
@@ -47,6 +55,7 @@ struct BenchResult {
     ErrorBench error;
     std::vector<ThreadTiming> threads;
     std::vector<RateCost> frame_rate_cost;
+    EndToEnd end_to_end;
 };
 
 // The tracers at the same work in one process: pieces spread evenly over the shot, on every second tile of the
