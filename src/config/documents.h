@@ -9,10 +9,12 @@
 #include "core/error.h"
 #include "core/local_time.h"
 #include "film/frame_storage.h"
+#include "film/pixel_filter.h"
 #include "film/preview_style.h"
 #include "flight/body_motion.h"
 #include "flight/body_path.h"
 #include "flight/body_shape.h"
+#include "flight/flight_clock.h"
 #include "flight/keyframe.h"
 #include "flight/shutter.h"
 #include "shade/look.h"
@@ -53,13 +55,16 @@ struct FramesDocument {
     int first = 1;             // number of the first frame
     std::optional<int> count;  // none: as many as the flight lasts
     FrameRate rate;
-    double start_s = 0.0;             // flight time of the first frame, from the flight's first keyframe
-    std::optional<LocalTime> date{};  // at the flight's first keyframe, for headers
+    double start_s = 0.0;               // flight time of the first frame, from the flight's first keyframe
+    std::optional<LocalTime> date{};    // at the flight's first keyframe, for headers
+    std::vector<FlightSpeed> speeds{};  // by ascending frame; none: 1
 };
 
 struct ImageDocument {
     int width = 960, height = 540;
     bool transparent_sky = false;
+    FilterKind filter = FilterKind::Box;
+    std::optional<double> filter_width_px{};  // none: usual_width_px
 };
 
 struct SamplingDocument {

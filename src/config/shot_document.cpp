@@ -11,6 +11,23 @@ namespace overfly {
 namespace config {
 namespace {
 
+// How fast a flight may go by.
+constexpr double kFastest = 1000.0;
+
+void read_speeds(Section& section, std::vector<FlightSpeed>& speeds) {
+    section.allow_one_of("speed", "ramp");
+    double speed = 1.0;
+    if (section.read("speed", speed, Range::above(0, kFastest))) speeds = {{0.0, speed}};
+    section.each("ramp", Section::Empty::Refused, [&](Section& point) {
+        FlightSpeed& at = speeds.emplace_back();
+        point.require({"frame", "speed"});
+        const bool is_read = point.read("frame", at.frame, {-10'000'000, 20'000'000});
+        point.read("speed", at.speed, Range::above(0, kFastest));
+        if (!is_read || speeds.size() < 2) return;
+        if (at.frame <= speeds[speeds.size() - 2].frame) point.refuse("frame", "a later one than that before");
+    });
+}
+
 void read_date(Section& section, std::optional<LocalTime>& date) {
     std::string text;
     if (!section.read("date", text, kLocalTimeAllowed)) return;
@@ -22,6 +39,7 @@ void read_frames(Section& section, FramesDocument& frames) {
     section.read("first", frames.first, {0, 9'999'999});
     section.read("count", frames.count, {1, 10'000'000});
     section.read("start_s", frames.start_s, {-1'000'000, 1'000'000});
+    read_speeds(section, frames.speeds);
     read_date(section, frames.date);
     std::string rate_text;
     if (!section.read("rate", rate_text, kFrameRateAllowed)) return;
@@ -34,6 +52,13 @@ void read_image(Section& section, ImageDocument& image) {
     section.read("width", image.width, {1, 65536});
     section.read("height", image.height, {1, 65536});
     section.read("transparent_sky", image.transparent_sky);
+    static constexpr NamedValue<FilterKind> kFilters[] = {{"box", FilterKind::Box},
+                                                          {"tent", FilterKind::Tent},
+                                                          {"blackman-harris", FilterKind::BlackmanHarris},
+                                                          {"mitchell", FilterKind::Mitchell}};
+    section.read("filter", image.filter, kFilters);
+    double width_px = 0.0;
+    if (section.read("filter_width_px", width_px, {0.5, 16})) image.filter_width_px = width_px;
 }
 
 void read_shutter(Section& section, Shutter& shutter) {
@@ -41,8 +66,18 @@ void read_shutter(Section& section, Shutter& shutter) {
                                                              {"centre", Shutter::Phase::Centre},
                                                              {"center", Shutter::Phase::Centre},
                                                              {"end", Shutter::Phase::End}};
+    static constexpr NamedValue<ShutterCurve::Shape> kShapes[] = {{"box", ShutterCurve::Shape::Box},
+                                                                  {"trapezoid", ShutterCurve::Shape::Trapezoid},
+                                                                  {"smooth", ShutterCurve::Shape::Smooth}};
+    section.allow_one_of("angle_deg", "seconds");
     section.read("angle_deg", shutter.angle, {0, 360});
+    double seconds = 0.0;
+    if (section.read("seconds", seconds, {0, 1000})) shutter.seconds = seconds;
     section.read("phase", shutter.phase, kPhases);
+    const bool is_box =
+        !section.has("shape") || (section.read("shape", shutter.curve.shape, kShapes) && shutter.curve.is_box());
+    section.read("ramp", shutter.curve.ramp, Range::above(0, 0.5));
+    if (is_box) section.refuse("ramp", "only with a shape of trapezoid or smooth");
 }
 
 void read_sampling(Section& section, SamplingDocument& sampling) {

@@ -1,13 +1,24 @@
 #include "film/film_frame.h"
 
+#include <utility>
+
 namespace overfly {
 
-FilmFrame::FilmFrame(int width, int height) {
+FilmFrame::FilmFrame(int width, int height, Weights weights) {
     frame_.width = width;
     frame_.height = height;
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     frame_.rgba.assign(pixels, {});
     frame_.depth_m.assign(pixels, Frame::kNoDepth);
+    if (weights == Weights::AreCounted) weights_.assign(pixels, 0.0F);
+}
+
+Frame FilmFrame::develop() && {
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+        if (weights_[i] == 0.0F) continue;
+        for (float& c : frame_.rgba[i]) c /= weights_[i];
+    }
+    return std::move(frame_);
 }
 
 }  // namespace overfly

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -21,10 +22,12 @@ struct Radiance {
 // One frame while it is being exposed. Different pixels may be added to from different threads at once.
 class FilmFrame {
   public:
-    FilmFrame(int width, int height);
+    // Whether the weights that a pixel gets in all add up to 1, or are counted so that the film is developed by them.
+    enum class Weights : std::uint8_t { AddUp, AreCounted };
+    FilmFrame(int width, int height, Weights weights = Weights::AddUp);
 
-    // The weights that a pixel gets in all add up to 1.
     void add(std::size_t pixel, float weight, const Radiance& radiance) {
+        if (!weights_.empty()) weights_[pixel] += weight;
         std::array<float, 4>& p = frame_.rgba[pixel];
         p[0] += weight * radiance.colour.r;
         p[1] += weight * radiance.colour.g;
@@ -40,11 +43,17 @@ class FilmFrame {
         std::memcpy(frame_.rgba[pixel].data(), &sum, sizeof sum);
         if (depth_m < frame_.depth_m[pixel]) frame_.depth_m[pixel] = depth_m;
     }
+    // The same, with the weight that it has.
+    void add(std::size_t pixel, float weight, Float4 weighted, float depth_m) {
+        if (!weights_.empty()) weights_[pixel] += weight;
+        add(pixel, weighted, depth_m);
+    }
     // The exposed frame. The film is used up.
-    [[nodiscard]] Frame develop() && { return std::move(frame_); }
+    [[nodiscard]] Frame develop() &&;
 
   private:
     Frame frame_;
+    std::vector<float> weights_;  // where they are counted
 };
 
 }  // namespace overfly

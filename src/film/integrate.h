@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/time_range.h"
+#include "flight/exposure.h"
 
 namespace overfly {
 
@@ -24,29 +25,29 @@ void for_each_stretch(std::span<const Segment> segments, TimeRange open, const W
     if (open.end_s > reached_s) with_stretch(none, TimeRange{reached_s, open.end_s});
 }
 
-// Integrates what one image sample sees over one exposure (design 3.5): every stretch of time has the weight that it
-// takes of the exposure, so visibility and coverage are exact in time.
+// Integrates what one image sample sees over one exposure (design 3.5): every stretch of time has the weight that
+// the exposure gives it, so visibility and coverage are exact in time.
 //
 // `segments` have a TimeRange `when`, are in time order and do not overlap; between them the sky is seen. `window` is
 // the time that the segments speak of. Calls with_stretch(segment or nullptr, TimeRange, share) with shares of the
 // whole exposure that add up to the part of it inside the window. An exposure of no duration counts wholly if the
 // window, end excluded, has it: for that one, at_instant(segment or nullptr, time_s) is called.
 template <class Segment, class WithStretch, class AtInstant>
-void integrate(std::span<const Segment> segments, TimeRange window, TimeRange exposure, const WithStretch& with_stretch,
-               const AtInstant& at_instant) {
+void integrate(std::span<const Segment> segments, TimeRange window, const Exposure& exposure,
+               const WithStretch& with_stretch, const AtInstant& at_instant) {
     const Segment* const none = nullptr;
-    if (exposure.duration_s() == 0.0) {
-        const double t = exposure.begin_s;
+    if (exposure.when.duration_s() == 0.0) {
+        const double t = exposure.when.begin_s;
         if (t < window.begin_s || t >= window.end_s) return;
         for (const Segment& s : segments) {
             if (s.when.contains(t)) return at_instant(&s, t);
         }
         return at_instant(none, t);
     }
-    const TimeRange open = intersection(window, exposure);
+    const TimeRange open = intersection(window, exposure.when);
     if (open.duration_s() <= 0.0) return;
     for_each_stretch(segments, open, [&](const Segment* segment, TimeRange stretch) {
-        with_stretch(segment, stretch, stretch.duration_s() / exposure.duration_s());
+        with_stretch(segment, stretch, exposure.share_of(stretch));
     });
 }
 
@@ -80,6 +81,14 @@ void for_each_look(TimeRange stretch, double share, const LookAt& look) {
                                                                                            : 2];
     for (std::size_t i = 0; i < rule.points; ++i)
         look(stretch.centre_s() + 0.5 * stretch.duration_s() * rule.place[i], share * rule.weight[i]);
+}
+
+// The same for light that the exposure weighs: the rule's places are parts of the light that comes through.
+template <class LookAt>
+void for_each_look(const Exposure& exposure, TimeRange stretch, double share, const LookAt& look) {
+    if (exposure.curve.is_box()) return for_each_look(stretch, share, look);
+    const TimeRange light = {exposure.share_until(stretch.begin_s), exposure.share_until(stretch.end_s)};
+    for_each_look(light, share, [&](double until, double part) { look(exposure.time_at(until), part); });
 }
 
 // The same for a tracer that saw instants only: each stands for the whole exposure that it lies in. Exposures are in

@@ -1,5 +1,7 @@
 #include "flight/film_drift.h"
 
+#include <array>
+
 namespace overfly {
 namespace {
 
@@ -15,6 +17,9 @@ QuadraticVector moved_along(const QuadraticVector& axis, double rate, double abo
 QuadraticVector operator+(const QuadraticVector& a, const QuadraticVector& b) {
     return {a.c0 + b.c0, a.c1 + b.c1, a.c2 + b.c2};
 }
+
+constexpr std::array kParts = {&MotionPiece::origin, &MotionPiece::right, &MotionPiece::down, &MotionPiece::view,
+                               &MotionPiece::to_sun};
 
 }  // namespace
 
@@ -32,9 +37,18 @@ MotionPiece standing_still(const MotionPiece& piece, double time_s, TimeRange wh
     const auto at_rest = [u](const QuadraticVector& v) { return QuadraticVector{v.at(u), {}, {}}; };
     MotionPiece out = piece;
     out.when = when;
-    for (QuadraticVector MotionPiece::*part :
-         {&MotionPiece::origin, &MotionPiece::right, &MotionPiece::down, &MotionPiece::view, &MotionPiece::to_sun})
-        out.*part = at_rest(piece.*part);
+    for (const auto part : kParts) out.*part = at_rest(piece.*part);
+    return out;
+}
+
+MotionPiece part_of(const MotionPiece& piece, TimeRange when) {
+    const double from = piece.u_at(when.begin_s), length = when.duration_s() / piece.when.duration_s();
+    MotionPiece out = piece;
+    out.when = when;
+    for (const auto part : kParts) {
+        const QuadraticVector& v = piece.*part;
+        out.*part = {v.at(from), length * (v.c1 + (2.0 * from) * v.c2), (length * length) * v.c2};
+    }
     return out;
 }
 

@@ -21,6 +21,9 @@ struct FilmDrift {
 // The piece as it is at one of its times, all through `when`.
 [[nodiscard]] MotionPiece standing_still(const MotionPiece& piece, double time_s, TimeRange when);
 
+// A part of the piece as a piece of its own: the same rays at the same times, up to rounding.
+[[nodiscard]] MotionPiece part_of(const MotionPiece& piece, TimeRange when);
+
 // The film point that a point of the scene is seen at.
 struct FilmPoint {
     double x = 0.0, y = 0.0;

@@ -141,8 +141,11 @@ class Fitter {
 // Where the path changes from one polynomial to another, and between those evenly, or nearly where gaps are welcome, so
 // that no piece is a sliver.
 std::vector<double> even_cuts_s(const CameraPath& path, TimeRange when, const MotionOptions& options) {
+    std::vector<double> wanted_s(path.joints_s().begin(), path.joints_s().end());
+    wanted_s.insert(wanted_s.end(), options.cuts_s.begin(), options.cuts_s.end());
+    std::ranges::sort(wanted_s);
     std::vector<double> stops_s{when.begin_s};
-    for (const double joint_s : path.joints_s())
+    for (const double joint_s : wanted_s)
         if (joint_s > stops_s.back() + kShortestPiece_s && joint_s < when.end_s - kShortestPiece_s)
             stops_s.push_back(joint_s);
     stops_s.push_back(when.end_s);

@@ -51,6 +51,7 @@ struct MotionOptions {
         double about_s = 0.0, period_s = 0.0;
     };
     Gaps gaps{};
+    std::vector<double> cuts_s{};  // ascending: where joints have to be, beside those of the path
 };
 
 // The whole flight in pieces that follow each other without gap. Which pieces there are depends on the flight and the
@@ -77,7 +78,7 @@ struct Motion {
 [[nodiscard]] Motion fit_motion(const View& view, std::span<const double> cuts_s, const MotionOptions& options);
 
 // The same for the camera over the ground, over `when`, which may reach beyond the path's own times; cut at the path's
-// joints and into pieces no longer than the options say, but for half a period of the gaps.
+// joints, at the options' cuts and into pieces no longer than the options say, but for half a period of the gaps.
 // REQUIRES: when lasts for some time.
 [[nodiscard]] Motion fit_motion(const CameraPath& path, TimeRange when, const Surroundings& surroundings,
                                 const MotionOptions& options);

@@ -32,7 +32,7 @@ double share_by_lines(const Exposing& hybrid, const BenchWork& work) {
     const PreparedSight prepared =
         hybrid.tracers.continuous->prepare(work.pieces.front().when, hybrid.size.film_bounds());
     const auto by_lines = std::ranges::count_if(tiles, [&](const PixelTile& tile) {
-        const TileSamples lines = samples_of(tile, hybrid.size, hybrid.tracers.lines);
+        const TileSamples lines = samples_of(tile, hybrid.size, hybrid.tracers.lines, hybrid.filter);
         return lines_are_cheaper(hybrid.tracers, prepared, lines.samples, exposures, counters);
     });
     return static_cast<double>(by_lines) / static_cast<double>(tiles.size());

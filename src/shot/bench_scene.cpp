@@ -28,7 +28,7 @@ ShotTracers BenchScene::tracers(const SamplingDocument& sampling) const {
 }
 
 Exposing BenchScene::exposing(const ShotTracers& tracers) const {
-    return {tracers.pair(), shader_, size(), {}, frames_, {}};
+    return {tracers.pair(), shader_, size(), {}, frames_, {}, shot_->shutter.curve, tracers.filter()};
 }
 
 std::vector<BenchWork> bench_work(const BenchScene& scene, std::size_t pieces) {
@@ -61,7 +61,7 @@ BenchWork middle_frame(const BenchScene& scene) {
 
 Exposed expose(const Exposing& exposing, const BenchWork& work) {
     std::vector<FilmFrame> films;
-    for (std::size_t k = 0; k < work.frames.size(); ++k) films.emplace_back(exposing.size.width, exposing.size.height);
+    for (std::size_t k = 0; k < work.frames.size(); ++k) films.push_back(exposing.film());
     TraceCounters counters;
     Exposed out;
     const double start_s = processor_seconds();

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "core/error.h"
 #include "film/frame_error.h"
 #include "film/integrate.h"
 #include "shot/drifting_sight.h"
 #include "shot/light_deposits.h"
 #include "shot/line_deposits.h"
+#include "shot/run_shares.h"
 
 namespace overfly {
 namespace {
@@ -27,7 +29,31 @@ constexpr double kLeastShare = 1e-9;
 // A stretched instant.
 constexpr double kSweep_s = 1.0;
 
+// Exposures as long as each other, but for rounding.
+constexpr double kAsLong = 1e-9;
+
+// What lines may drift in a piece. Farther, the drift is no longer the motion that it is taken for (film_drift.h), and
+// most of what is prepared for the piece is never passed.
+constexpr double kFarthest_px = 320.0;
+
+// The first of all planned exposures that are in the piece, whichever are asked for.
+double planned_exposure_s(const Exposing& exposing, const MotionPiece& piece) {
+    const auto planned =
+        std::ranges::find_if(exposing.planned, [&](const PlannedFrame& f) { return is_exposed_in(f, piece); });
+    check(planned != exposing.planned.end(), "what is exposed was planned");
+    return planned->exposure.duration_s();
+}
+
 }  // namespace
+
+bool are_swept_together(const Exposing& exposing, const MotionPiece& piece) {
+    const double exposure_s = planned_exposure_s(exposing, piece);
+    if (exposure_s == 0.0) return false;
+    if (exposing.tracers.drift_px * piece.when.duration_s() > kFarthest_px * exposure_s) return false;
+    return std::ranges::all_of(exposing.planned, [&](const PlannedFrame& f) {
+        return !is_exposed_in(f, piece) || std::abs(f.exposure.duration_s() - exposure_s) <= kAsLong * exposure_s;
+    });
+}
 
 // What is traced where the drift is along one axis.
 struct DriftExposure::View {
@@ -36,7 +62,7 @@ struct DriftExposure::View {
           px_per_s(rate_px_per_s),
           sight(drifting(seen, over, drift_of(exposing.size, over))),
           tracer(exposing.tracers.continuous->surfaces(), sight),
-          prepared(tracer.prepare(over, film_bounds(over, exposing.tracers.drift_px))) {}
+          prepared(tracer.prepare(over, film_bounds(over, exposing.tracers.drift_px, exposing.margin_px()))) {}
     View(const View&) = delete;
     View& operator=(const View&) = delete;
 
@@ -58,8 +84,8 @@ struct DriftExposure::View {
     // Where samples are in the middle of `over` that are in the picture at any time of an exposure. Their homes are up
     // to half an exposure's drift outside of it, and the middle of an exposure may be half an exposure before or after
     // `over`.
-    [[nodiscard]] FilmBounds film_bounds(TimeRange over, double drift_px) const {
-        FilmBounds b = pattern.size.film_bounds();
+    [[nodiscard]] FilmBounds film_bounds(TimeRange over, double drift_px, double margin_px) const {
+        FilmBounds b = pattern.size.film_bounds(margin_px);
         const double margin = (0.5 * px_per_s * over.duration_s() + drift_px) * pattern.size.film_per_px();
         (pattern.axis == DriftAxis::X ? b.low_x : b.low_y) -= margin;
         (pattern.axis == DriftAxis::X ? b.high_x : b.high_y) += margin;
@@ -77,14 +103,19 @@ class DriftExposure::Tile {
           pattern_(view.pattern),
           left_(tile.left),
           top_(tile.top),
-          film_width_(view.pattern.size.width) {
+          film_width_(view.pattern.size.width),
+          weighing_(whole.curve_, whole.exposing_->filter) {
         const bool is_x = view.pattern.axis == DriftAxis::X;
         rows_ = is_x ? Stretch{tile.top, tile.bottom} : Stretch{tile.left, tile.right};
         along_ = is_x ? Stretch{tile.left, tile.right} : Stretch{tile.top, tile.bottom};
+        from_px_ = along_.begin - whole.exposing_->margin_px();
+        to_px_ = along_.end + whole.exposing_->margin_px();
+        margin_rows_ = static_cast<int>(std::ceil(whole.exposing_->margin_px()));
     }
 
     void expose(std::size_t exposure) {
         exposure_ = whole_->exposures_[exposure];
+        weighed_ = {exposure_, whole_->curve_};
         film_ = whole_->films_[exposure];
         if (whole_->exposing_->tracers.error > 0.0) {
             sweep_until_good();
@@ -98,20 +129,21 @@ class DriftExposure::Tile {
         int begin, end;
     };
 
-    // All lines of the pattern that are in the tile at any time of the exposure.
+    // All lines of the pattern that are in the tile at any time of the exposure, or so near that it gets light of them.
     void sweep() {
         const TimeRange e = exposure_;
         const double reach_px = 0.5 * view_->px_per_s * e.duration_s();
-        const double end_px = along_.end + reach_px;
-        for (double from = along_.begin - reach_px; from < end_px; from += kBlockSide_px) {
+        const double end_px = to_px_ + reach_px;
+        for (double from = from_px_ - reach_px; from < end_px; from += kBlockSide_px) {
             const double to = std::min(from + kBlockSide_px, end_px);
             // The time that any of them is in the tile.
-            const TimeRange in_tile = {e.centre_s() + (along_.begin - to) / view_->px_per_s,
-                                       e.centre_s() + (along_.end - from) / view_->px_per_s};
+            const TimeRange in_tile = {e.centre_s() + (from_px_ - to) / view_->px_per_s,
+                                       e.centre_s() + (to_px_ - from) / view_->px_per_s};
             const TimeRange open = intersection(intersection(e, view_->when()), in_tile);
             if (open.duration_s() <= kLeastShare * e.duration_s()) continue;
-            for (int row = rows_.begin; row < rows_.end; row += kBlockSide_px)
-                follow({row, std::min(row + kBlockSide_px, rows_.end), from, to}, open);
+            const int end_row = rows_.end + margin_rows_;
+            for (int row = rows_.begin - margin_rows_; row < end_row; row += kBlockSide_px)
+                follow({row, std::min(row + kBlockSide_px, end_row), from, to}, open);
         }
     }
 
@@ -120,8 +152,11 @@ class DriftExposure::Tile {
     // allowed is that part's share, as errors of parts add up that know nothing of each other.
     void sweep_until_good() {
         FilmFrame* const whole_film = film_;
-        const double share = intersection(exposure_, view_->when()).duration_s() / exposure_.duration_s();
-        const double allowed = whole_->exposing_->tracers.error * std::sqrt(std::max(share, 0.0));
+        const TimeRange open = intersection(exposure_, view_->when());
+        const double share = open.duration_s() > 0.0 ? weighed_.share_of(open) : 0.0;
+        const double allowed = whole_->exposing_->tracers.error * std::sqrt(share);
+        // A film that counts its weights is developed to a whole exposure.
+        const float weight = whole_->exposing_->filter != nullptr ? static_cast<float>(share) : 1.0F;
         Frame mean = sweep_apart(1);
         for (int lines = 1; lines < kMostLines; lines *= 2) {
             const Frame other = sweep_apart(lines);
@@ -139,7 +174,7 @@ class DriftExposure::Tile {
                 const auto& [r, g, b, a] = mean.rgba[i];
                 whole_film->add(static_cast<std::size_t>(top_ + y) * static_cast<std::size_t>(width) +
                                     static_cast<std::size_t>(left_ + x),
-                                1.0F, {{r, g, b}, a, mean.depth_m[i]});
+                                weight, {{r, g, b}, a, mean.depth_m[i]});
             }
         }
     }
@@ -148,7 +183,7 @@ class DriftExposure::Tile {
     Frame sweep_apart(int lines) {
         const bool is_x = pattern_.axis == DriftAxis::X;
         const int across = rows_.end - rows_.begin, along = along_.end - along_.begin;
-        FilmFrame film(is_x ? along : across, is_x ? across : along);
+        FilmFrame film = whole_->exposing_->film_of(is_x ? along : across, is_x ? across : along);
         film_ = &film;
         film_width_ = is_x ? along : across;
         film_left_ = left_;
@@ -175,10 +210,11 @@ class DriftExposure::Tile {
             if (in_tile.duration_s() <= 0.0) continue;
             for_each_stretch(lists.of(i), in_tile, [&](const SurfaceSegment* seen, TimeRange stretch) {
                 const SceneShader::Sighting sighting = {samples_[i].x, samples_[i].y, seen, lists.reflected};
-                const PixelRun to = passed_by(lines_[i], stretch);
+                const PixelRun to = weighing_.is_even() ? passed_by(lines_[i], stretch) : weighed(lines_[i], stretch);
                 if (sighting.is_of_ground()) return lines.add_ground(sighting, stretch, to);
                 if (seen == nullptr && lines.add_sky(sighting, stretch, to)) return;
-                look_often(lines_[i], sighting, stretch, looks);
+                if (to.shares == nullptr) return look_often(lines_[i], sighting, stretch, looks);
+                look_by_cells(lines_[i], sighting, stretch, *to.shares, looks);
             });
         }
     }
@@ -186,7 +222,7 @@ class DriftExposure::Tile {
     [[nodiscard]] TimeRange time_in_tile(const DriftingLine& line) const {
         const double s_per_px = 1.0 / view_->px_per_s;
         const double centre_s = exposure_.centre_s();
-        return {centre_s + (along_.begin - line.home_px) * s_per_px, centre_s + (along_.end - line.home_px) * s_per_px};
+        return {centre_s + (from_px_ - line.home_px) * s_per_px, centre_s + (to_px_ - line.home_px) * s_per_px};
     }
 
     // The pixels that the line passes meanwhile. REQUIRES: it is in the tile.
@@ -206,6 +242,52 @@ class DriftExposure::Tile {
                 .first_end = (first + 1 - from_px) * v_per_px,
                 .v_per_pixel = v_per_px,
                 .weight = stretch.duration_s() / (e.duration_s() * pattern_.per_pixel)};
+    }
+
+    // What the tile's pixels get of the line meanwhile, until the next call.
+    [[nodiscard]] PixelRun weighed(const DriftingLine& line, TimeRange stretch) {
+        const bool is_x = view_->pattern.axis == DriftAxis::X;
+        const double length_px = view_->px_per_s * stretch.duration_s();
+        return {.count = static_cast<int>(std::ceil(length_px)) + 1,
+                .shares = &weighing_.of({
+                    .from_px = line.home_px + view_->px_per_s * (stretch.begin_s - exposure_.centre_s()),
+                    .length_px = length_px,
+                    .across_px = line.row + line.across_px,
+                    .from_part = weighed_.part_at(stretch.begin_s),
+                    .to_part = weighed_.part_at(stretch.end_s),
+                    .weight = 1.0 / pattern_.per_pixel,
+                    .first = along_.begin,
+                    .end = along_.end,
+                    .first_row = rows_.begin,
+                    .end_row = rows_.end,
+                    .first_pixel = static_cast<std::uint32_t>(pixel(rows_.begin, along_.begin)),
+                    .stride = is_x ? 1 : film_width_,
+                    .row_stride = is_x ? film_width_ : 1,
+                })};
+    }
+
+    // Two looks for each cell, at other places for each line: as below.
+    static void look_by_cells(const DriftingLine& line, const SceneShader::Sighting& sighting, TimeRange stretch,
+                              const RunShares& to, LightDeposits& deposits) {
+        double begin_v = 0.0;
+        std::size_t begin = 0;
+        for (const RunShares::Cell& cell : to.cells) {
+            const auto end_v = static_cast<double>(cell.end_v);
+            for (const double half : {0.0, 0.5}) {
+                const double v = begin_v + (half + 0.5 * line.phase) * (end_v - begin_v);
+                deposits.look({sighting, stretch.begin_s + v * stretch.duration_s()});
+                for (std::size_t k = begin; k < cell.end_share; ++k) {
+                    const RunShares::Share& share = to.shares[k];
+                    for (const RunShares::Row& row : to.rows) {
+                        const double weight = 0.5 * static_cast<double>(row.weight * share.whole);
+                        deposits.to(0, share.pixel + static_cast<std::uint32_t>(row.offset), weight,
+                                    share.is_inside && row.is_inside);
+                    }
+                }
+            }
+            begin_v = end_v;
+            begin = cell.end_share;
+        }
     }
 
     // One look for each of the pixels that the line passes meanwhile, or two.
@@ -247,9 +329,13 @@ class DriftExposure::Tile {
     LinePattern pattern_;
     int left_, top_;
     Stretch rows_{}, along_{};
+    double from_px_ = 0.0, to_px_ = 0.0;  // along_, and as far around as pixels look
+    int margin_rows_ = 0;                 // as far around rows_
     TimeRange exposure_;
+    Exposure weighed_;
     FilmFrame* film_ = nullptr;  // with this pixel of the picture first, and so wide
     int film_left_ = 0, film_top_ = 0, film_width_;
+    RunWeighing weighing_;
     std::vector<DriftingLine> lines_;
     std::vector<ImageSample> samples_;
 };
@@ -261,22 +347,30 @@ DriftExposure::DriftExposure(const Exposing& exposing, const MotionPiece& piece,
       films_(films),
       tiles_(tiles_of(exposing.size, kDriftTileSide_px)) {
     for (const PixelTile& tile : tiles_) axes_.push_back(axis_for(tile, piece));
-    const TracerPair& tracers = exposing.tracers;
-    const double exposure_s = exposing.planned.front().exposure.duration_s();
-    const bool is_instant = exposure_s == 0.0;
-    TimeRange over = piece.when;
-    Sight at_rest;
-    if (is_instant) {
-        const double time_s = exposures_.front().begin_s;
-        over = {time_s - 0.5 * kSweep_s, time_s + 0.5 * kSweep_s};
-        exposures_.front() = over;
-        at_rest = standing_still(tracers.continuous->sight(), time_s, over);
+    const Sight& seen = exposing.tracers.continuous->sight();
+    if (are_swept_together(exposing, piece)) {
+        curve_ = exposing.curve;
+        prepare(seen, piece.when, planned_exposure_s(exposing, piece));
+        return;
     }
+    TimeRange& exposure = exposures_.front();
+    if (exposure.duration_s() == 0.0) {
+        const double time_s = exposure.begin_s;
+        exposure = {time_s - 0.5 * kSweep_s, time_s + 0.5 * kSweep_s};
+        prepare(standing_still(seen, time_s, exposure), exposure, kSweep_s);
+        return;
+    }
+    curve_ = exposing.curve;
+    const TimeRange open = intersection(exposure, piece.when);
+    if (open.duration_s() > kLeastShare * exposure.duration_s())
+        prepare(during(seen, open), open, exposure.duration_s());
+}
+
+void DriftExposure::prepare(const Sight& sight, TimeRange over, double exposure_s) {
     for (const DriftAxis axis : {DriftAxis::X, DriftAxis::Y}) {
         if (std::ranges::find(axes_, axis) == axes_.end()) continue;
         views_[static_cast<std::size_t>(axis)] =
-            std::make_unique<View>(exposing, is_instant ? at_rest : tracers.continuous->sight(), over,
-                                   tracers.drift_px / (is_instant ? kSweep_s : exposure_s), axis);
+            std::make_unique<View>(*exposing_, sight, over, exposing_->tracers.drift_px / exposure_s, axis);
     }
 }
 
@@ -298,6 +392,7 @@ DriftAxis DriftExposure::axis_for(const PixelTile& tile, const MotionPiece& piec
 std::vector<DriftExposure::Part> DriftExposure::parts() const {
     std::vector<Part> out;
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        if (views_[static_cast<std::size_t>(axes_[t])] == nullptr) continue;
         if (exposing_->wanted && !exposing_->wanted(tiles_[t].left, tiles_[t].top)) continue;
         for (std::size_t e = 0; e < exposures_.size(); ++e) out.push_back({t, e});
     }

@@ -17,10 +17,15 @@ inline constexpr int kDriftTileSide_px = 64;
 // The light of lines that drift over the picture, for the frames of one piece of the camera's motion. They drift across
 // the motion of what they see, or nearly: along x or y, whichever is more across it, tile by tile (design 3.5). A frame
 // without exposure time is swept in the same way while the world stands still.
+//
+// Where all exposures of the piece are equally long, lines drift at one speed all through the piece. Where they aren't,
+// or are so short that the lines would pass all of the picture in between, each exposure is swept by itself.
+[[nodiscard]] bool are_swept_together(const Exposing& exposing, const MotionPiece& piece);
+
 class DriftExposure {
   public:
-    // All must outlive it. REQUIRES: a pair with drift and without discrete tracer; planned frames; of exposures of no
-    // duration, one.
+    // All must outlive it. REQUIRES: a pair with drift and without discrete tracer; planned frames; of
+    // exposures that aren't swept together, one.
     DriftExposure(const Exposing& exposing, const MotionPiece& piece, std::span<const TimeRange> exposures,
                   std::span<FilmFrame* const> films);
     ~DriftExposure();
@@ -37,10 +42,12 @@ class DriftExposure {
     struct View;
     class Tile;
 
+    void prepare(const Sight& sight, TimeRange over, double exposure_s);
     [[nodiscard]] DriftAxis axis_for(const PixelTile& tile, const MotionPiece& piece) const;
 
     const Exposing* exposing_;
     std::vector<TimeRange> exposures_;  // an instant stretched for the sweep
+    ShutterCurve curve_;
     std::span<FilmFrame* const> films_;
     std::vector<PixelTile> tiles_;
     std::vector<DriftAxis> axes_;                 // of each tile

@@ -30,4 +30,13 @@ Sight standing_still(const Sight& sight, double time_s, TimeRange when) {
     });
 }
 
+Sight during(const Sight& sight, TimeRange when) {
+    return with_motions(sight, [&](const Motion& motion) {
+        Motion out = {{}, motion.bound_px, motion.largest_error_px};
+        for (const MotionPiece& piece : motion.pieces_over(when))
+            out.pieces.push_back(part_of(piece, intersection(piece.when, when)));
+        return out;
+    });
+}
+
 }  // namespace overfly

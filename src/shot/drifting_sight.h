@@ -11,4 +11,7 @@ namespace overfly {
 // The sight at one time, all through `when`.
 [[nodiscard]] Sight standing_still(const Sight& sight, double time_s, TimeRange when);
 
+// The sight during a part of its time, and no longer.
+[[nodiscard]] Sight during(const Sight& sight, TimeRange when);
+
 }  // namespace overfly

@@ -1,5 +1,6 @@
 #include "shot/expose_piece.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "core/parallel.h"
@@ -7,9 +8,13 @@
 #include "shot/drift_exposure.h"
 #include "shot/light_deposits.h"
 #include "shot/line_deposits.h"
+#include "shot/run_shares.h"
 
 namespace overfly {
 namespace {
+
+// A phase is below 1.
+constexpr double kLastPhase = 0x1.fffffffffffffp-1;
 
 class TileExposure {
   public:
@@ -17,7 +22,7 @@ class TileExposure {
                  std::span<FilmFrame* const> films)
         : exposing_(&exposing), piece_(&piece), exposures_(exposures), films_(films) {
         const TracerPair& tracers = exposing.tracers;
-        const FilmBounds picture = exposing.size.film_bounds();
+        const FilmBounds picture = exposing.size.film_bounds(exposing.margin_px());
         if (tracers.continuous != nullptr) prepared_lines_ = tracers.continuous->prepare(piece.when, picture);
         if (tracers.discrete != nullptr) prepared_samples_ = tracers.discrete->prepare(piece.when, picture);
         for (const PlannedFrame& f : exposing.planned) {
@@ -34,7 +39,7 @@ class TileExposure {
     void run(const PixelTile& tile, TraceCounters& counters) const {
         const TracerPair& tracers = exposing_->tracers;
         if (tracers.continuous == nullptr) return sample(tile, exposures_, counters);
-        const TileSamples lines = samples_of(tile, exposing_->size, tracers.lines);
+        const TileSamples lines = samples_of(tile, exposing_->size, tracers.lines, exposing_->filter);
         if (tracers.discrete == nullptr ||
             lines_are_cheaper(tracers, prepared_lines_, lines.samples, planned_, counters)) {
             return follow(lines, counters);
@@ -53,30 +58,40 @@ class TileExposure {
         // whichever frames are exposed.
         follow_ground(lines, lists);
         LightDeposits looks(exposing_->shader, *piece_, films_);
-        const double weight = 1.0 / exposing_->tracers.lines;
         for_each_exposure_of(lines, [&](std::size_t i, std::uint32_t e) {
+            const double weight = weight_of(lines, i) / exposing_->tracers.lines;
+            const Exposure exposure = exposing_->exposure(exposures_[e]);
             const auto look = [&](const SurfaceSegment* seen, double time_s, double share) {
                 looks.add(e, lines.pixels[i], share * weight, {sighting(lines, i, seen, lists), time_s});
             };
             const auto with_stretch = [&](const SurfaceSegment* seen, TimeRange stretch, double share) {
                 if (sighting(lines, i, seen, lists).is_of_ground()) return;
-                for_each_look(stretch, share, [&](double t, double part) { look(seen, t, part); });
+                for_each_look(exposure, stretch, share, [&](double t, double part) { look(seen, t, part); });
             };
             const auto at_instant = [&](const SurfaceSegment* seen, double t) { look(seen, t, 1.0); };
-            integrate(lists.of(i), piece_->when, exposures_[e], with_stretch, at_instant);
+            integrate(lists.of(i), piece_->when, exposure, with_stretch, at_instant);
         });
     }
 
     void follow_ground(const TileSamples& lines, const SurfaceSegmentLists& lists) const {
         LineDeposits deposits(exposing_->shader, *piece_, films_);
-        const double weight = 1.0 / exposing_->tracers.lines;
+        RunWeighing weighing(exposing_->curve, exposing_->filter);
         for_each_exposure_of(lines, [&](std::size_t i, std::uint32_t e) {
+            const double weight = weight_of(lines, i) / exposing_->tracers.lines;
+            const Exposure exposure = exposing_->exposure(exposures_[e]);
             const auto with_stretch = [&](const SurfaceSegment* seen, TimeRange stretch, double share) {
                 const SceneShader::Sighting seen_so = sighting(lines, i, seen, lists);
                 if (!seen_so.is_of_ground()) return;
-                deposits.add_ground(seen_so, stretch, {.film = e, .first = lines.pixels[i], .weight = share * weight});
+                PixelRun to = {.film = e, .first = lines.pixels[i], .weight = share * weight};
+                if (!weighing.is_even()) {
+                    to.shares = &weighing.of({.from_part = exposure.part_at(stretch.begin_s),
+                                              .to_part = exposure.part_at(stretch.end_s),
+                                              .weight = weight,
+                                              .first_pixel = to.first});
+                }
+                deposits.add_ground(seen_so, stretch, to);
             };
-            integrate(lists.of(i), piece_->when, exposures_[e], with_stretch, [](const SurfaceSegment*, double) {});
+            integrate(lists.of(i), piece_->when, exposure, with_stretch, [](const SurfaceSegment*, double) {});
         });
     }
 
@@ -91,9 +106,33 @@ class TileExposure {
         return {lines.samples[i].x, lines.samples[i].y, seen, lists.reflected};
     }
 
+    static double weight_of(const TileSamples& tiled, std::size_t i) {
+        return tiled.weights.empty() ? 1.0 : tiled.weights[i];
+    }
+
     // sampled: the exposures, or parts of them.
     void sample(const PixelTile& tile, std::span<const TimeRange> sampled, TraceCounters& counters) const {
-        const TileSamples tiled = samples_of(tile, exposing_->size, exposing_->tracers.samples);
+        const TileSamples tiled = samples_of(tile, exposing_->size, exposing_->tracers.samples, exposing_->filter);
+        if (exposing_->curve.is_box()) return sample(tiled, sampled, 0, counters);
+        for (std::size_t e = 0; e < sampled.size(); ++e) {
+            if (sampled[e].duration_s() < 0.0) continue;
+            TileSamples when_open = tiled;
+            for (ImageSample& s : when_open.samples) s.phase = phase_by_light(s.phase, sampled[e], exposures_[e]);
+            sample(when_open, sampled.subspan(e, 1), e, counters);
+        }
+    }
+
+    // Where in a part of an exposure the phase's share of its light has come through.
+    [[nodiscard]] double phase_by_light(double phase, TimeRange part, TimeRange of) const {
+        if (part.duration_s() == 0.0) return phase;
+        const Exposure exposure = exposing_->exposure(of);
+        const double until = exposure.share_until(part.begin_s) + phase * exposure.share_of(part);
+        return std::clamp((exposure.time_at(until) - part.begin_s) / part.duration_s(), 0.0, kLastPhase);
+    }
+
+    // sampled: of the exposures from `first` on.
+    void sample(const TileSamples& tiled, std::span<const TimeRange> sampled, std::size_t first,
+                TraceCounters& counters) const {
         SurfaceSegmentLists lists;
         exposing_->tracers.discrete->trace(prepared_samples_, tiled.samples, sampled, lists, counters);
         LightDeposits deposits(exposing_->shader, *piece_, films_);
@@ -101,14 +140,15 @@ class TileExposure {
         for (std::size_t i = 0; i < tiled.samples.size(); ++i) {
             const ImageSample& sample = tiled.samples[i];
             integrate_instants(lists.of(i), sampled, [&](const SurfaceSegment& s, std::size_t e, double t) {
-                deposits.add(e, tiled.pixels[i], share_of(sampled[e], exposures_[e]) * weight,
+                deposits.add(first + e, tiled.pixels[i],
+                             share_of(sampled[e], exposures_[first + e]) * weight * weight_of(tiled, i),
                              {{sample.x, sample.y, &s, lists.reflected}, t});
             });
         }
     }
 
-    static double share_of(TimeRange part, TimeRange exposure) {
-        return exposure.duration_s() > 0.0 ? part.duration_s() / exposure.duration_s() : 1.0;
+    [[nodiscard]] double share_of(TimeRange part, TimeRange exposure) const {
+        return exposure.duration_s() > 0.0 ? exposing_->exposure(exposure).share_of(part) : 1.0;
     }
 
     const Exposing* exposing_;
@@ -141,11 +181,10 @@ void run_all(const Exposing& exposing, std::span<const Part> parts, const Run& r
     });
 }
 
-// Frames without exposure time are swept one by one, others all at once.
+// Frames without exposure time are swept one by one, others all at once where they can be.
 void expose_drifting(const Exposing& exposing, const MotionPiece& piece, std::span<const TimeRange> exposures,
                      std::span<FilmFrame* const> films, TraceCounters& counters, const PieceProgress& progress) {
-    const bool is_instant = exposures.front().duration_s() == 0.0;
-    const std::size_t together = is_instant ? 1 : exposures.size();
+    const std::size_t together = are_swept_together(exposing, piece) ? exposures.size() : 1;
     for (std::size_t first = 0; first < exposures.size(); first += together) {
         const DriftExposure exposure(exposing, piece, exposures.subspan(first, together),
                                      films.subspan(first, together));

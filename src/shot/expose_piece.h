@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "film/film_frame.h"
+#include "film/pixel_filter.h"
+#include "flight/exposure.h"
 #include "flight/motion.h"
 #include "shot/frame_plan.h"
 #include "shot/interrupted.h"
@@ -28,14 +30,24 @@ struct Exposing {
     // drift is reckoned, so that both are the same to the bit whichever are asked for.
     std::span<const PlannedFrame> planned{};
     WantedTile wanted{};  // empty: all of the picture
+    ShutterCurve curve{};
+    const PixelFilter* filter = nullptr;  // none: the box of one pixel
+
+    [[nodiscard]] Exposure exposure(TimeRange when) const { return {when, curve}; }
+    [[nodiscard]] double margin_px() const { return filter != nullptr ? filter->margin_px() : 0.0; }
+    [[nodiscard]] FilmFrame film() const { return film_of(size.width, size.height); }
+    // With room for the weights of this filter.
+    [[nodiscard]] FilmFrame film_of(int width, int height) const {
+        return {width, height, filter != nullptr ? FilmFrame::Weights::AreCounted : FilmFrame::Weights::AddUp};
+    }
 };
 
 // Told after each tile of a piece: which share of it is done.
 using PieceProgress = std::function<void(double share)>;
 
 // Traces one piece of the flight and adds what is seen to the frames that are exposed meanwhile.
-// frames and films go together; frames are among the planned, in time order and without overlap. Throws Interrupted
-// when asked to stop.
+// frames and films go together, films are exposing.film(); frames are among the planned, in time order and without
+// overlap. Throws Interrupted when asked to stop.
 // GUARANTEES: a film's pixels are the same to the bit whichever other frames are exposed with it, in whatever tile
 // order.
 void expose_piece(const Exposing& exposing, const MotionPiece& piece, std::span<const PlannedFrame> frames,

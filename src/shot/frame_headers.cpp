@@ -1,6 +1,9 @@
 #include "shot/frame_headers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -15,6 +18,16 @@ NamedDocument document_of(std::span<const InputFile> files, std::string_view wha
     const auto found = std::ranges::find(files, what, &InputFile::what);
     if (found == files.end()) return {};
     return {found->content.file.filename().string(), hex(found->content.sha256)};
+}
+
+// Of a camera that would have filmed the flight so, to a thousandth of a frame per second.
+FrameRate rate_of(double lasts_s) {
+    constexpr std::int32_t kThousandths = 1000;
+    constexpr double kMost = 2e9;
+    const double rate = std::min(std::round(kThousandths / lasts_s), kMost);
+    const std::int32_t thousandths = std::max(1, static_cast<std::int32_t>(rate));
+    const std::int32_t common = std::gcd(thousandths, kThousandths);
+    return {thousandths / common, kThousandths / common};
 }
 
 }  // namespace
@@ -41,6 +54,10 @@ FrameHeader FrameHeaders::of(const PlannedFrame& frame) const {
     header.time_s = frame.time_s;
     if (shot_->frames.date) header.date = later(*shot_->frames.date, frame.time_s - path_->times().begin_s);
     header.exposure_s = frame.exposure.duration_s();
+    if (frame.lasts_s > 0.0) {
+        if (!shot_->frames.speeds.empty()) header.capture_rate = rate_of(frame.lasts_s);
+        if (shot_->shutter.seconds) header.shutter_angle = Angle::degrees(360.0 * header.exposure_s / frame.lasts_s);
+    }
     header.camera = path_->pose_at(time_s);
     header.camera_place = path_->place_at(time_s);
     header.camera_altitude_m =

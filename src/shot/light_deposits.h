@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "film/film_frame.h"
 #include "shade/air_views.h"
@@ -23,31 +24,43 @@ class LightDeposits {
 
     // What the sighting refers to must stay where it is until flush().
     void add(std::size_t film, std::size_t pixel, double weight, const SceneShader::Look& look) {
-        looks_[count_] = look;
-        whither_[count_] = {static_cast<std::uint32_t>(film), static_cast<std::uint32_t>(pixel),
-                            static_cast<float>(weight)};
-        if (++count_ == kSize) flush();
+        this->look(look);
+        to(film, pixel, weight);
+    }
+    // The same for one look and any number of pixels: first the look, then where it goes to.
+    void look(const SceneShader::Look& look) {
+        if (count_ == kSize) flush();
+        looks_[count_++] = look;
+    }
+    void to(std::size_t film, std::size_t pixel, double weight, bool with_depth = true) {
+        whither_.push_back({static_cast<std::uint32_t>(count_ - 1), static_cast<std::uint32_t>(film),
+                            static_cast<std::uint32_t>(pixel), static_cast<float>(weight), with_depth});
     }
 
     void flush() {
         many_.look(std::span(looks_).first(count_), std::span(found_).first(count_));
-        for (std::size_t i = 0; i < count_; ++i)
-            films_[whither_[i].film]->add(whither_[i].pixel, whither_[i].weight, found_[i]);
+        for (const Place& p : whither_) {
+            Radiance found = found_[p.look];
+            if (!p.with_depth) found.depth_m = Frame::kNoDepth;
+            films_[p.film]->add(p.pixel, p.weight, found);
+        }
+        whither_.clear();
         count_ = 0;
     }
 
   private:
     static constexpr std::size_t kSize = AirViews::kSize;
     struct Place {
-        std::uint32_t film = 0, pixel = 0;
+        std::uint32_t look = 0, film = 0, pixel = 0;
         float weight = 0.0F;
+        bool with_depth = true;
     };
 
     ManyLooks many_;
     std::span<FilmFrame* const> films_;
     std::size_t count_ = 0;
     std::array<SceneShader::Look, kSize> looks_{};
-    std::array<Place, kSize> whither_{};
+    std::vector<Place> whither_;
     std::array<Radiance, kSize> found_{};
 };
 

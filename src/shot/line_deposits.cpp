@@ -69,6 +69,11 @@ void LineDeposits::add_ground(const SceneShader::Sighting& sighting, TimeRange w
     }
     runs_.in_shadow[k] = seen.in_shadow ? 1 : 0;
     to_[k] = to;
+    if (to.shares != nullptr) {
+        shares_.resize(GroundRuns::kSize);
+        shares_[k] = *to.shares;
+        to_[k].shares = &shares_[k];
+    }
     if (++count_ == GroundRuns::kSize) flush();
 }
 
@@ -126,6 +131,11 @@ void LineDeposits::look() {
 
 // nodes: evenly spaced in v.
 void LineDeposits::deposit(std::span<const Float4> nodes, float alpha, const PixelRun& to) const {
+    if (to.shares != nullptr) return deposit_shares(nodes, alpha, to);
+    deposit_evenly(nodes, alpha, to);
+}
+
+void LineDeposits::deposit_evenly(std::span<const Float4> nodes, float alpha, const PixelRun& to) const {
     FilmFrame& film = *films_[to.film];
     const int pieces = static_cast<int>(nodes.size()) - 1;
     ChainIntegral chain(nodes.data(), pieces);
@@ -144,6 +154,36 @@ void LineDeposits::deposit(std::span<const Float4> nodes, float alpha, const Pix
         reached = end;
         sum = until.sum;
         depth_m = until.value[3];
+    }
+}
+
+void LineDeposits::deposit_shares(std::span<const Float4> nodes, float alpha, const PixelRun& to) const {
+    FilmFrame& film = *films_[to.film];
+    const auto pieces = static_cast<float>(nodes.size() - 1);
+    ChainIntegral chain(nodes.data(), static_cast<int>(nodes.size()) - 1);
+    float reached = 0.0F;
+    Float4 sum{}, value = nodes.front();
+    std::size_t next = 0;
+    for (const RunShares::Cell& cell : to.shares->cells) {
+        const auto until = chain(cell.end_v * pieces);
+        const float length = (cell.end_v - reached) * pieces;
+        // A cell may be too short for single precision.
+        const Float4 mean = length > 0.0F ? (until.sum - sum) / length : value;
+        const Float4 growth = until.value - value;
+        const float depth_m = std::min(value[3], until.value[3]);
+        for (; next < cell.end_share; ++next) {
+            const RunShares::Share& share = to.shares->shares[next];
+            Float4 light = share.whole * mean + share.growth * growth;
+            light[3] = alpha * share.whole;
+            for (const RunShares::Row& row : to.shares->rows) {
+                const bool is_inside = share.is_inside && row.is_inside;
+                film.add(share.pixel + static_cast<std::uint32_t>(row.offset), row.weight * share.whole,
+                         row.weight * light, is_inside ? depth_m : Frame::kNoDepth);
+            }
+        }
+        reached = cell.end_v;
+        sum = until.sum;
+        value = until.value;
     }
 }
 

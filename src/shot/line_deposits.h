@@ -9,17 +9,20 @@
 #include "film/film_frame.h"
 #include "shade/ground_nodes.h"
 #include "shade/ground_runs.h"
+#include "shot/run_shares.h"
 #include "shot/scene_shader.h"
 
 namespace overfly {
 
 // The pixels that a line of sight passes during a run at an even speed: `count` of them from `first` on, `stride` apart
 // in the film. The first ends at v = first_end, and each further one lasts v_per_pixel; all of the run has the weight.
+// Or, where there are `shares`, what each pixel gets is what they say.
 struct PixelRun {
     std::uint32_t film = 0, first = 0;
     std::int32_t stride = 1, count = 1;
     double first_end = 1.0, v_per_pixel = 0.0;
     double weight = 1.0;
+    const RunShares* shares = nullptr;
 };
 
 // Light that lines of sight collect for a while, on its way to film: what comes along one is followed as a chain of
@@ -35,7 +38,7 @@ class LineDeposits {
     LineDeposits(const LineDeposits&) = delete;
     LineDeposits& operator=(const LineDeposits&) = delete;
 
-    // REQUIRES: the sighting is of the ground all through `when`.
+    // REQUIRES: the sighting is of the ground all through `when`. Shares are copied.
     void add_ground(const SceneShader::Sighting& sighting, TimeRange when, const PixelRun& to);
     // What is seen where there is no triangle. false: the round Earth ends there before the sky, so that nothing has
     // been added, as what is seen isn't smooth. REQUIRES: the sighting is of nothing.
@@ -46,6 +49,8 @@ class LineDeposits {
     void ask_nodes(std::size_t run);
     void look();
     void deposit(std::span<const Float4> nodes, float alpha, const PixelRun& to) const;
+    void deposit_evenly(std::span<const Float4> nodes, float alpha, const PixelRun& to) const;
+    void deposit_shares(std::span<const Float4> nodes, float alpha, const PixelRun& to) const;
 
     const SceneShader* shader_;
     const MotionPiece* camera_;
@@ -53,6 +58,7 @@ class LineDeposits {
     std::size_t count_ = 0;  // of runs
     GroundRuns runs_;
     std::array<PixelRun, GroundRuns::kSize> to_{};
+    std::vector<RunShares> shares_;  // of each, where it has some
     std::array<std::uint32_t, GroundRuns::kSize + 1> first_node_{};
     // Red, green, blue and planar depth at the nodes of one run after another.
     std::vector<Float4> nodes_;

@@ -21,7 +21,10 @@ std::vector<PixelTile> tiles_of(PictureSize size, int side_px) {
     return tiles;
 }
 
-TileSamples samples_of(const PixelTile& tile, PictureSize size, int per_pixel) {
+TileSamples samples_of(const PixelTile& tile, PictureSize size, int per_pixel, const PixelFilter* filter) {
+    const auto place = [&](double in_pixel) {
+        return per_pixel < kPlacesForLobes ? filter->place_above_zero(in_pixel) : filter->place(in_pixel);
+    };
     std::vector<SobolPoint> points;
     for (int i = 0; i < per_pixel; ++i) points.push_back(sobol_point(static_cast<std::uint32_t>(i)));
     struct Pixel {
@@ -43,8 +46,15 @@ TileSamples samples_of(const PixelTile& tile, PictureSize size, int per_pixel) {
             for (const SobolPoint& point : points) {
                 for (const Pixel& pixel : block) {
                     const auto p = scrambled(point, pixel.scramble);
-                    out.samples.push_back({size.film_x(pixel.x + p[0]), size.film_y(pixel.y + p[1]), p[2]});
                     out.pixels.push_back(pixel.index);
+                    if (filter == nullptr) {
+                        out.samples.push_back({size.film_x(pixel.x + p[0]), size.film_y(pixel.y + p[1]), p[2]});
+                        continue;
+                    }
+                    const PixelFilter::Place x = place(p[0]), y = place(p[1]);
+                    out.samples.push_back(
+                        {size.film_x(pixel.x + 0.5 + x.x_px), size.film_y(pixel.y + 0.5 + y.x_px), p[2]});
+                    out.weights.push_back(x.weight * y.weight);
                 }
             }
         }

@@ -57,7 +57,7 @@ class FrameLoop {
         std::size_t next = 0;  // the first frame whose shutter has not opened yet
         for (const MotionPiece& piece : motion_->pieces) {
             while (next < frames.size() && is_exposed_in(frames[next], piece)) {
-                open_.push_back({frames[next++], FilmFrame(exposing.size.width, exposing.size.height)});
+                open_.push_back({frames[next++], exposing.film()});
             }
             if (open_.empty()) continue;
             expose(exposing, piece);
@@ -169,8 +169,14 @@ void render_frames(Rendering& rendering, const Scenery& scenery, const std::vect
     scenery.stage.drop_full_mesh();
     const SceneShader shader = light.shader(scenery.bodies);
     const ShotTracers tracers(shot, scenery.stage, scenery.bodies, scenery.sight, rendering.options.check_every);
-    const Exposing exposing = {
-        tracers.pair(), shader, {shot.image.width, shot.image.height}, rendering.options.should_stop, scenery.planned};
+    const Exposing exposing = {tracers.pair(),
+                               shader,
+                               {shot.image.width, shot.image.height},
+                               rendering.options.should_stop,
+                               scenery.planned,
+                               {},
+                               shot.shutter.curve,
+                               tracers.filter()};
     manifest.save();  // without the frames that are about to be replaced
     FrameLoop(rendering, scenery.sight.motions.front(), headers, manifest).run(exposing, frames);
 }

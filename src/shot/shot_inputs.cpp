@@ -68,6 +68,15 @@ std::string text_of(const BodyDocument& body, std::vector<std::filesystem::path>
            shape + text_of(body.motion);
 }
 
+std::string text_of(const Shutter& shutter) {
+    std::string text = shutter.seconds ? fmt::format("shutter {} s", *shutter.seconds)
+                                       : fmt::format("shutter {}", shutter.angle.radians());
+    text += fmt::format(" {}", static_cast<int>(shutter.phase));
+    if (!shutter.curve.is_box())
+        text += fmt::format(" {} {}", static_cast<int>(shutter.curve.shape), shutter.curve.ramp);
+    return text + '\n';
+}
+
 }  // namespace
 
 std::string shot_inputs_hash(const ShotDocument& shot, const std::string& scene_hash) {
@@ -76,10 +85,14 @@ std::string shot_inputs_hash(const ShotDocument& shot, const std::string& scene_
     const Look& look = shot.look.look;
     text += fmt::format("frames {} {}/{} {}\n", shot.frames.first, shot.frames.rate.numerator,
                         shot.frames.rate.denominator, shot.frames.start_s);
+    for (const FlightSpeed& s : shot.frames.speeds) text += fmt::format("speed {} {}\n", s.frame, s.speed);
     // Headers are part of a frame. Nothing without a date, so that frames from before there was one are kept.
     if (shot.frames.date) text += fmt::format("date {}\n", iso_text(*shot.frames.date));
     text += fmt::format("image {}x{} {}\n", shot.image.width, shot.image.height, shot.image.transparent_sky);
-    text += fmt::format("shutter {} {}\n", shot.shutter.angle.radians(), static_cast<int>(shot.shutter.phase));
+    text += text_of(shot.shutter);
+    const double filter_px = shot.image.filter_width_px.value_or(usual_width_px(shot.image.filter));
+    if (shot.image.filter != FilterKind::Box || filter_px != 1.0)
+        text += fmt::format("filter {} {}\n", static_cast<int>(shot.image.filter), filter_px);
     const TracerKind tracer = shot.sampling.tracer;
     text += fmt::format("sampling {} {} {} {} {}\n", static_cast<int>(tracer),
                         tracer != TracerKind::Discrete ? shot.sampling.lines : 0,

@@ -10,6 +10,9 @@ ShotTracers::ShotTracers(const ShotDocument& shot, const Stage& stage, const Sho
       drift_px_(shot.sampling.drift_px),
       error_(shot.sampling.error),
       ground_(&stage.rays()) {
+    const ImageDocument& image = shot.image;
+    const double width_px = image.filter_width_px.value_or(usual_width_px(image.filter));
+    if (image.filter != FilterKind::Box || width_px != 1.0) filter_.emplace(image.filter, width_px);
     const TracerKind kind = shot.sampling.tracer;
     std::optional<SunShadows> shadows;
     if (shot.look.look.sun_elevation.radians() > 0.0) shadows = shot.look.sun_shadows;

@@ -9,7 +9,7 @@
 
 namespace overfly {
 
-// The tracers that a shot asks for, and what they trace.
+// The tracers that a shot asks for, what they trace, and the filter of its pixels.
 class ShotTracers {
   public:
     // All must outlive it. check_every: RenderOptions.
@@ -19,6 +19,7 @@ class ShotTracers {
     ShotTracers& operator=(const ShotTracers&) = delete;
 
     [[nodiscard]] TracerPair pair() const;
+    [[nodiscard]] const PixelFilter* filter() const { return filter_ ? &*filter_ : nullptr; }  // Exposing's
 
   private:
     struct Part {
@@ -33,6 +34,7 @@ class ShotTracers {
     int lines_, samples_;
     double drift_px_, error_;
     const RayScene* ground_;
+    std::optional<PixelFilter> filter_;
 };
 
 }  // namespace overfly

@@ -57,7 +57,7 @@ TEST(Overrides, WorkOnTerrainAndFlightAlone) {
 TEST(Overrides, AreReportedAsTheyWereGiven) {
     EXPECT_EQ(refusal({"image.widht=480"}),
               "--set image.widht=480: unknown key 'widht' in 'image'; did you mean 'width'? known: width, height, "
-              "transparent_sky");
+              "transparent_sky, filter, filter_width_px");
     EXPECT_EQ(refusal({"image.width=0"}), "--set image.width=0: image.width: got 0, allowed 1 to 65536");
     EXPECT_EQ(refusal({"image=5"}), "--set image=5: image: got 5, allowed a mapping (`key: value` lines)");
     EXPECT_EQ(refusal({"flight.keyframes.0.time_s=soon"}),

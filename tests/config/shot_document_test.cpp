@@ -17,12 +17,16 @@ TEST(ReadShotDocument, ReadsEveryKey) {
     EXPECT_EQ(shot.frames.count, 48);
     EXPECT_EQ(shot.frames.rate, (FrameRate{24000, 1001}));
     EXPECT_EQ(shot.frames.start_s, 0.5);
+    EXPECT_EQ(shot.frames.speeds, (std::vector<FlightSpeed>{{110.0, 2.0}, {130.5, 0.25}}));
     ASSERT_TRUE(shot.frames.date);
     EXPECT_EQ(iso_text(*shot.frames.date), "2026-06-21T09:30:00-06:00");
     EXPECT_EQ(shot.image.width, 640);
     EXPECT_EQ(shot.image.height, 360);
     EXPECT_TRUE(shot.image.transparent_sky);
-    EXPECT_EQ(shot.shutter, (Shutter{Angle::degrees(270), Shutter::Phase::Start}));
+    EXPECT_EQ(shot.image.filter, FilterKind::Mitchell);
+    EXPECT_EQ(shot.image.filter_width_px, 3.5);
+    EXPECT_EQ(shot.shutter,
+              (Shutter{Angle::degrees(270), Shutter::Phase::Start, {}, {ShutterCurve::Shape::Trapezoid, 0.1}}));
     EXPECT_EQ(shot.sampling.tracer, TracerKind::Discrete);
     EXPECT_EQ(shot.sampling.lines, 8);
     EXPECT_EQ(shot.sampling.samples, 128);
@@ -60,6 +64,8 @@ TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
     EXPECT_EQ(shot.image.width, 960);
     EXPECT_EQ(shot.image.height, 540);
     EXPECT_EQ(shot.shutter, Shutter{});
+    EXPECT_TRUE(shot.frames.speeds.empty());
+    EXPECT_EQ(shot.image.filter, FilterKind::Box);
     EXPECT_EQ(shot.sampling.tracer, TracerKind::Kinetic);
     EXPECT_EQ(shot.sampling.mirror_depth, 1);
     EXPECT_EQ(shot.look.sun_shadows, SunShadows::Baked);
@@ -99,6 +105,15 @@ TEST(ReadShotDocument, TakesAnEmptySectionForOneOfDefaults) {
         read_shot_document(good_folder / "smallest_shot.yaml", std::vector<std::string>{"image=", "look.sun={}"});
     EXPECT_EQ(shot.image.width, 960);
     EXPECT_EQ(shot.look.look, Look{});
+}
+
+TEST(ReadShotDocument, TakesSecondsAndASpeed) {
+    const std::vector<std::string> overrides = {"shutter.seconds=0.01", "frames.speed=0.5", "image.filter=tent"};
+    const ShotDocument shot = read_shot_document(good_folder / "smallest_shot.yaml", overrides);
+    EXPECT_EQ(shot.shutter.seconds, 0.01);
+    EXPECT_EQ(shot.frames.speeds, (std::vector<FlightSpeed>{{0.0, 0.5}}));
+    EXPECT_EQ(shot.image.filter, FilterKind::Tent);
+    EXPECT_EQ(shot.image.filter_width_px, std::nullopt);
 }
 
 TEST(ReadShotDocument, KnowsBothSpellingsOfTheMiddle) {

@@ -66,6 +66,19 @@ TEST(Drifting, WithoutDriftIsTheSamePiece) {
     EXPECT_EQ(moved.origin_at(0.7), piece.origin_at(0.7));
 }
 
+TEST(PartOf, IsTheSameRaysForAWhile) {
+    const MotionPiece piece = kTurning.piece();
+    const TimeRange when = {piece.time_at(0.3), piece.time_at(0.45)};
+    const MotionPiece part = part_of(piece, when);
+    EXPECT_EQ(part.when.begin_s, when.begin_s);
+    EXPECT_EQ(part.when.end_s, when.end_s);
+    for (double t = when.begin_s; t <= when.end_s; t += 0.01) {
+        const double u = piece.u_at(t), v = part.u_at(t);
+        EXPECT_NEAR(length(part.direction_at(v, -0.4, 0.3) - piece.direction_at(u, -0.4, 0.3)), 0.0, 1e-14);
+        EXPECT_NEAR(length(part.origin_at(v) - piece.origin_at(u)), 0.0, 1e-9);
+    }
+}
+
 TEST(StandingStill, IsTheOneTimeForAll) {
     const MotionPiece piece = kTurning.piece();
     const MotionPiece still = standing_still(piece, 0.3, {5.0, 7.0});

@@ -43,6 +43,20 @@ TEST(ShotInputs, EverythingThatChangesPixelsChangesTheHash) {
         [](ShotDocument& s) { s.image.transparent_sky = true; },
         [](ShotDocument& s) { s.shutter.angle = Angle::degrees(90.0); },
         [](ShotDocument& s) { s.shutter.phase = Shutter::Phase::Start; },
+        [](ShotDocument& s) { s.shutter.seconds = 0.01; },
+        [](ShotDocument& s) { s.shutter.curve.shape = ShutterCurve::Shape::Trapezoid; },
+        [](ShotDocument& s) { s.shutter.curve.shape = ShutterCurve::Shape::Smooth; },
+        [](ShotDocument& s) {
+            s.shutter.curve = {ShutterCurve::Shape::Smooth, 0.5};
+        },
+        [](ShotDocument& s) {
+            s.frames.speeds = {{0.0, 0.5}};
+        },
+        [](ShotDocument& s) {
+            s.frames.speeds = {{1.0, 0.5}, {24.0, 0.25}};
+        },
+        [](ShotDocument& s) { s.image.filter = FilterKind::Mitchell; },
+        [](ShotDocument& s) { s.image.filter_width_px = 1.5; },
         [](ShotDocument& s) { s.sampling.tracer = TracerKind::Discrete; },
         [](ShotDocument& s) { s.sampling.lines = 5; },
         [](ShotDocument& s) { s.look.look.sun_azimuth = Angle::degrees(90.0); },

@@ -58,8 +58,8 @@ struct FrameMaker {
         const SceneShader shader(stage.mesh(), light, day, false, shaded);
         std::vector<PlannedFrame> planned;
         for (const TimeRange& e : all_exposures) planned.push_back({1, e.begin_s, e, {}});
-        const Exposing exposing = {tracers.pair(), shader, size, {}, planned};
-        std::vector<FilmFrame> all_films(exposures.size(), FilmFrame(size.width, size.height));
+        const Exposing exposing = {tracers.pair(), shader, size, {}, planned, {}, shot.shutter.curve, tracers.filter()};
+        std::vector<FilmFrame> all_films(exposures.size(), exposing.film());
         for (const MotionPiece& piece : sight.motions.front().pieces) {
             std::vector<PlannedFrame> frames;
             std::vector<FilmFrame*> films;

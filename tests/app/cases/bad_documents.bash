@@ -64,7 +64,8 @@ case_misspelt_key() {
     sed -i 's/height: 36/hieght: 36/' shot.yaml
     run render shot.yaml
     refused_before_rendering \
-        "shot.yaml:4:20: unknown key 'hieght' in 'image'; did you mean 'height'? known: width, height, transparent_sky"
+        "shot.yaml:4:20: unknown key 'hieght' in 'image'; did you mean 'height'? known: width, height, transparent_sky,\
+ filter, filter_width_px"
 }
 
 case_several_problems_at_once_in_several_documents() {
@@ -85,7 +86,7 @@ case_set_with_an_unknown_key() {
     small_shot
     run render shot.yaml --set image.widht=3
     refused_before_rendering "--set image.widht=3: unknown key 'widht' in 'image'; did you mean 'width'? known: width,\
- height, transparent_sky"
+ height, transparent_sky, filter, filter_width_px"
 }
 
 case_set_without_a_value() {

@@ -40,6 +40,16 @@ case_ntsc_rate() {
     expect_match header '^framesPerSecond \(type rational\): 30000/1001 '
 }
 
+case_slow_motion() {
+    small_shot
+    run render shot.yaml --frames 1 --set frames.speed=0.25
+    header out/shot.0001.exr
+    expect_match header '^framesPerSecond \(type rational\): 24/1 '
+    expect_match header '^captureRate \(type rational\): 96/1 '
+    expect_match header '^shutterAngle \(type float\): 180$'
+    expect_match header '^expTime \(type float\): 0.00520833$'
+}
+
 case_openimageio_reads_it() {
     small_shot
     run render shot.yaml --frames 2
