@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <variant>
@@ -206,6 +207,25 @@ StoredPixels stored_pixels(const Frame& frame) {
         }
     }
     return pixels;
+}
+
+FrameChannels channels_of(const StoredPixels& pixels) {
+    FrameChannels frame{pixels.width, pixels.height, {}};
+    for (const std::vector<Plane>& planes : {beauty_planes(pixels), data_planes(pixels)}) {
+        for (const Plane& plane : planes) {
+            const bool is_half = plane.type == Imf::HALF;
+            const std::size_t bytes = is_half ? sizeof(std::uint16_t) : sizeof(float);
+            FrameChannel& channel = frame.channels.emplace_back();
+            channel.name = plane.channel;
+            channel.type = is_half ? ChannelType::Half : ChannelType::Float;
+            channel.values.resize(pixels.rgba.size() * bytes);
+            const auto* value = static_cast<const std::byte*>(plane.first);
+            for (std::size_t i = 0; i < pixels.rgba.size(); ++i, value += plane.stride)
+                std::memcpy(channel.values.data() + i * bytes, value, bytes);
+        }
+    }
+    std::ranges::sort(frame.channels, {}, &FrameChannel::name);
+    return frame;
 }
 
 void encode_frame(const StoredPixels& pixels, const FrameHeader& header, const FrameStorage& storage, ByteSink& sink) {

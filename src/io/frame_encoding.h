@@ -8,6 +8,7 @@
 
 #include "film/frame.h"
 #include "film/frame_storage.h"
+#include "io/frame_channels.h"
 #include "io/frame_file.h"
 
 namespace overfly {
@@ -21,6 +22,9 @@ struct StoredPixels {
 
 // REQUIRES: colours and depths are finite. A colour beyond the range of half (65504) becomes its end.
 [[nodiscard]] StoredPixels stored_pixels(const Frame& frame);
+
+// As read_channels would find them in a file.
+[[nodiscard]] FrameChannels channels_of(const StoredPixels& pixels);
 
 // Where the bytes of a file go.
 class ByteSink {

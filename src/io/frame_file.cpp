@@ -96,14 +96,30 @@ Frame load(const std::filesystem::path& file) {
     return frame;
 }
 
+// Says how large the file is.
+std::uint64_t write(const std::filesystem::path& file, const StoredPixels& pixels, const FrameHeader& header,
+                    const FrameStorage& storage) {
+    FileSink sink(file);
+    encode_frame(pixels, header, storage, sink);
+    sink.commit();
+    return std::filesystem::file_size(file);
+}
+
 }  // namespace
 
 void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
                  const FrameStorage& storage) {
+    write(file, stored_pixels(frame), header, storage);
+}
+
+FrameDigest write_digested_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
+                                 const FrameStorage& storage) {
     const StoredPixels pixels = stored_pixels(frame);
-    FileSink sink(file);
-    encode_frame(pixels, header, storage, sink);
-    sink.commit();
+    const std::uint64_t size_bytes = write(file, pixels, header, storage);
+    if (is_lossy(storage.beauty)) return digest_frame(file);
+    FrameDigest digest = digest_of(channels_of(pixels));
+    digest.size_bytes = size_bytes;
+    return digest;
 }
 
 bool is_complete_frame(const std::filesystem::path& file) {

@@ -11,6 +11,7 @@
 #include "flight/lens.h"
 #include "flight/shutter.h"
 #include "geo/frames.h"
+#include "io/frame_digest.h"
 
 namespace overfly {
 
@@ -50,6 +51,10 @@ struct FrameHeader {
 // are finite; storage.data is lossless. A colour beyond the range of half (65504) becomes its end.
 void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
                  const FrameStorage& storage = {});
+
+// The same; what digest_frame says of the file then. One that is stored without loss is not read again for that.
+FrameDigest write_digested_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
+                                 const FrameStorage& storage = {});
 
 // Whether `file` is a frame that can be read to its last line.
 [[nodiscard]] bool is_complete_frame(const std::filesystem::path& file);

@@ -114,10 +114,10 @@ class FrameLoop {
         open_.erase(open_.begin(), still_open);
         std::vector<ManifestFrame> listed(closed.size());
         parallel_for(closed.size(), [&](std::size_t i) {
-            write_frame(closed[i].frame.file, std::move(closed[i].film).develop(), headers_->of(closed[i].frame),
-                        rendering_->shot.output.storage);
-            // Read back, so that the manifest lists what is on disk.
-            listed[i] = manifest_frame(closed[i].frame, digest_frame(closed[i].frame.file), closed[i].render_s);
+            const FrameDigest digest =
+                write_digested_frame(closed[i].frame.file, std::move(closed[i].film).develop(),
+                                     headers_->of(closed[i].frame), rendering_->shot.output.storage);
+            listed[i] = manifest_frame(closed[i].frame, digest, closed[i].render_s);
         });
         for (ManifestFrame& frame : listed) manifest_->add(std::move(frame));
         manifest_->save();

@@ -125,6 +125,19 @@ TEST(FrameDigest, SaysWhatAFrameLooksLike) {
     EXPECT_EQ(digest.not_finite, 0U);
 }
 
+TEST(FrameDigest, OfAFrameThatIsWrittenIsThatOfItsFile) {
+    const TemporaryFolder folder;
+    for (const Compression beauty : {Compression::Zip, Compression::Piz, Compression::Dwaa}) {
+        const FrameDigest written = write_digested_frame(folder / "a.exr", sample_frame(33, 17), sample_header(),
+                                                         {.beauty = beauty, .data = Compression::Zip});
+        const FrameDigest read = digest_frame(folder / "a.exr");
+        EXPECT_EQ(written.pixels_sha256, read.pixels_sha256);
+        EXPECT_EQ(written.size_bytes, read.size_bytes);
+        EXPECT_EQ(written.width, read.width);
+        EXPECT_EQ(written.statistics, read.statistics);
+    }
+}
+
 TEST(FrameDigest, KnowsBlackAndTransparentFrames) {
     const TemporaryFolder folder;
     const auto is_black = [&](const std::vector<Layer>& layers) {
