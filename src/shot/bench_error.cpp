@@ -46,13 +46,14 @@ class ErrorMeasuring {
           progress_(&progress),
           tiles_(scene.size()),
           share_(tiles_.share(scene.size())),
-          work_(middle_frame(scene)) {}
+          work_(middle_frame(scene)),
+          piece_(bench_work(scene, 1).front()) {}
 
     ErrorBench run() {
         ErrorBench out;
         out.reference_samples = kReferenceSamples;
         say("making the reference");
-        reference_ = frame(TracerKind::Discrete, kReferenceSamples, true).frames.front();
+        reference_ = exposed(TracerKind::Discrete, kReferenceSamples, work_, tiles_).frames.front();
         for (const int samples : kSamples) out.discrete.push_back(point(TracerKind::Discrete, samples));
         for (const int lines : kLines) {
             out.kinetic.push_back(point(TracerKind::Kinetic, lines));
@@ -65,22 +66,30 @@ class ErrorMeasuring {
     }
 
   private:
-    Exposed frame(TracerKind kind, int count, bool only_some) {
+    Exposed exposed(TracerKind kind, int count, const BenchWork& work, const WantedTile& wanted) const {
         SamplingDocument sampling = scene_->shot().sampling;
         sampling.tracer = kind;
         sampling.lines = sampling.samples = count;
         const ShotTracers tracers = scene_->tracers(sampling);
         Exposing exposing = scene_->exposing(tracers);
-        if (only_some) exposing.wanted = tiles_;
-        return expose(exposing, work_);
+        exposing.wanted = wanted;
+        return expose(exposing, work);
     }
 
-    ErrorPoint point(TracerKind kind, int count) {
+    ErrorPoint point(TracerKind kind, int count) const {
         say("timing pictures");
-        const bool only_some = kind != TracerKind::Kinetic;
-        const Exposed exposed = frame(kind, count, only_some);
-        return {count, root_mean_square(exposed.frames.front(), reference_, tiles_),
-                exposed.seconds / (only_some ? share_ : 1.0)};
+        const Exposed some = exposed(kind, count, work_, tiles_);
+        const double seconds = kind == TracerKind::Kinetic
+                                   ? exposed(kind, count, piece_, {}).seconds / frames_in_piece()
+                                   : some.seconds / share_;
+        return {count, root_mean_square(some.frames.front(), reference_, tiles_), seconds};
+    }
+
+    [[nodiscard]] double frames_in_piece() const {
+        double exposed_s = 0.0;
+        for (const PlannedFrame& f : piece_.frames) exposed_s += f.exposure.duration_s();
+        const double exposure_s = work_.frames.front().exposure.duration_s();
+        return exposure_s > 0.0 ? exposed_s / exposure_s : static_cast<double>(piece_.frames.size());
     }
 
     void say(std::string_view what) const {
@@ -91,7 +100,7 @@ class ErrorMeasuring {
     const Progress* progress_;
     SomeTiles tiles_;
     double share_;
-    BenchWork work_;
+    BenchWork work_, piece_;
     Frame reference_;
 };
 
