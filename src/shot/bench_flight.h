@@ -35,7 +35,7 @@ struct RateCost {
     double ns_per_pixel_second = 0.0;  // of the flight
 };
 
-// One frame from its lines to its file on one thread, and what compressing and writing that file takes of it.
+// One frame from its lines (ErrorPoint) to its file on one thread, and what compressing and writing that file takes.
 struct EndToEnd {
     int lines = 0;
     double expose_s = 0.0, write_s = 0.0;
