@@ -28,8 +28,8 @@ struct ErrorBench {
 };
 
 // A frame in the middle of the shot, on one thread, against many samples. The error is that of some tiles spread evenly
-// over the picture; the discrete tracer is timed on those. The kinetic one prepares whole pieces of the flight, so it is
-// timed on all frames of a piece in the middle, for one frame on average.
+// over the picture; the discrete tracer is timed on those. The kinetic one prepares whole pieces of the flight, so it
+// is timed on all frames of a piece in the middle, for one frame on average.
 [[nodiscard]] ErrorBench bench_error(const BenchScene& scene, const Progress& progress);
 
 }  // namespace overfly
