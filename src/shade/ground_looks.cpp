@@ -4,7 +4,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "shade/daylight.h"
 #include "shade/ground_looks.h"
 #include "shade/ground_ray-inl.h"
 
@@ -22,10 +21,10 @@ HWY_INLINE V inside(V share, V most) {
     return hn::IfThenElseZero(hn::Gt(share, hn::Zero(Doubles())), hn::IfThenElse(hn::Lt(share, most), share, most));
 }
 
-HWY_INLINE void store_place(const std::array<GroundLooks::Lane<double>, 3>& corner, V share1, V share2,
+HWY_INLINE void store_place(const std::array<GroundLooks::Lane<std::int32_t>, 3>& corner, V share1, V share2,
                             GroundLooks::Lane<double>& met, std::size_t i) {
-    const V first = load(corner[0], i);
-    const V along1 = hn::Sub(load(corner[1], i), first), along2 = hn::Sub(load(corner[2], i), first);
+    const V first = hn::PromoteTo(Doubles(), hn::Load(hn::Rebind<std::int32_t, Doubles>(), corner[0].data() + i));
+    const V along1 = from_first(corner, 1, i), along2 = from_first(corner, 2, i);
     store(hn::Add(hn::Add(first, hn::Mul(share1, along1)), hn::Mul(share2, along2)), met, i);
 }
 
@@ -35,21 +34,18 @@ HWY_INLINE void meet(const MotionPiece& scene, Vector<Scene> to_sun, double lowe
     const Rays rays(scene, load(looks.x, i), load(looks.y, i));
     const V u = load(looks.u, i);
     const V3 d = rays.direction(u);
-    const Triangles::Meeting met = Triangles(looks.corner, i).meet(rays, u, d);
+    const Triangles::Meeting met = Triangles(looks.triangles, i).meet(rays, u, d);
     const V inverse = hn::Div(set(1.0), met.over);
     const V share1 = inside(hn::Mul(inverse, met.share1), set(1.0));
     const V share2 = inside(hn::Mul(inverse, met.share2), hn::Sub(set(1.0), share1));
-    store_place(looks.column, share1, share2, looks.met_column, i);
-    store_place(looks.row, share1, share2, looks.met_row, i);
+    store_place(looks.triangles.column, share1, share2, looks.met_column, i);
+    store_place(looks.triangles.row, share1, share2, looks.met_row, i);
     const V depth = hn::Mul(inverse, met.depth);
     store(depth, looks.depth_m, i);
     const V per_depth = hn::Sqrt(dot(d, d));
     store(hn::Mul(depth, per_depth), looks.distance_m, i);
     store(dot(scale(hn::Div(set(1.0), per_depth), d), set(to_sun)), looks.towards_sun, i);
-    V3 from_middle = add(set(rays.reference()), rays.origin(u));
-    from_middle.z = hn::Add(from_middle.z, set(kEarthRadius_m));
-    const V height = hn::Sub(hn::Sqrt(dot(from_middle, from_middle)), set(kEarthRadius_m));
-    store(hn::Sub(height, set(lowest_m)), looks.from_height_m, i);
+    store(hn::Sub(rays.height_over_ball_m(u), set(lowest_m)), looks.from_height_m, i);
 }
 
 }  // namespace ground_looks

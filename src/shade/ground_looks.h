@@ -1,24 +1,21 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 #include "flight/motion.h"
+#include "shade/ground_triangles.h"
 
 namespace overfly {
 
 // Lines of sight and the triangles of the ground that they meet, many at once, in the layout that vector units like.
 struct GroundLooks {
-    static constexpr std::size_t kSize = 64;
+    static constexpr std::size_t kSize = GroundTriangles::kSize;
     template <class T>
-    using Lane = std::array<T, kSize>;
-    template <class T>
-    using Lane3 = std::array<Lane<T>, 3>;
+    using Lane = GroundTriangles::Lane<T>;
 
-    // Asked: film points, when they look in the piece's u, and the triangles by corner.
+    // Asked: film points, when they look in the piece's u, and the triangles.
     alignas(64) Lane<double> x{}, y{}, u{};
-    alignas(64) std::array<Lane3<double>, 3> corner{};        // [corner][axis], in the scene
-    alignas(64) std::array<Lane<double>, 3> column{}, row{};  // of the corners in the raster
+    GroundTriangles triangles;
 
     // Answered: the place in the raster, the planar depth; the ray's length there, its height where it begins, and the
     // cosine of its angle to the sun.

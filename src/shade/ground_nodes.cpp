@@ -95,8 +95,9 @@ HWY_INLINE void look(const GroundRuns& runs, const LitGround::Raster& raster, Gr
                                   of_runs(runs.most_column, run));
     const V from_row =
         between(of_runs(runs.least_row, run), hn::Mul(inverse, at(runs.rows, run, v)), of_runs(runs.most_row, run));
-    const Cells cells(raster, samples_beside(of_runs(runs.column[0], run), from_column, raster.columns),
-                      samples_beside(of_runs(runs.row[0], run), from_row, raster.rows), of_runs(runs.in_shadow, run));
+    const Cells cells(raster, samples_beside(of_runs(runs.triangles.column[0], run), from_column, raster.columns),
+                      samples_beside(of_runs(runs.triangles.row[0], run), from_row, raster.rows),
+                      of_runs(runs.in_shadow, run));
     AirViews& views = nodes.views;
     hn::Store(cells.channel(0), d, views.red.data() + i);
     hn::Store(cells.channel(1), d, views.green.data() + i);

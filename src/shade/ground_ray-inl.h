@@ -11,6 +11,8 @@
 #include <cstddef>
 
 #include "flight/motion.h"
+#include "shade/daylight.h"
+#include "shade/ground_triangles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace overfly {
@@ -51,6 +53,14 @@ HWY_INLINE V3 load3(const std::array<Lane, 3>& lanes, std::size_t i) {
     return {load(lanes[0], i), load(lanes[1], i), load(lanes[2], i)};
 }
 
+// Where two corners of triangles are in the raster, as their difference along one of its axes.
+HWY_INLINE V from_first(const std::array<GroundTriangles::Lane<std::int32_t>, 3>& corner, std::size_t k,
+                        std::size_t i) {
+    const hn::Rebind<std::int32_t, Doubles> ints;
+    const auto samples = hn::Sub(hn::Load(ints, corner[k].data() + i), hn::Load(ints, corner[0].data() + i));
+    return hn::PromoteTo(Doubles(), samples);
+}
+
 // Rays of film points.
 class Rays {
   public:
@@ -61,6 +71,12 @@ class Rays {
     }
     // Relative to the piece's reference.
     HWY_INLINE V3 origin(V u) const { return at(scene_.origin, u); }
+    // Of the origin, as height_over_ball_m has it.
+    HWY_INLINE V height_over_ball_m(V u) const {
+        V3 from_middle = add(set(reference()), origin(u));
+        from_middle.z = hn::Add(from_middle.z, set(kEarthRadius_m));
+        return hn::Sub(hn::Sqrt(dot(from_middle, from_middle)), set(kEarthRadius_m));
+    }
     [[nodiscard]] HWY_INLINE Point<Scene> reference() const { return scene_.reference; }
 
   private:
@@ -71,12 +87,10 @@ class Rays {
 // Triangles by corner, and where rays meet them: Moller and Trumbore's determinants (1997), which have one denominator.
 class Triangles {
   public:
-    // corner: [corner][axis].
-    template <class Corners>
-    HWY_INLINE Triangles(const Corners& corner, std::size_t i)
-        : p0_(load3(corner[0], i)),
-          e1_(sub(load3(corner[1], i), p0_)),
-          e2_(sub(load3(corner[2], i), p0_)),
+    HWY_INLINE Triangles(const GroundTriangles& triangles, std::size_t i)
+        : p0_(load3(triangles.corner[0], i)),
+          e1_(sub(load3(triangles.corner[1], i), p0_)),
+          e2_(sub(load3(triangles.corner[2], i), p0_)),
           normal_(cross(e1_, e2_)) {}
 
     // Planar depth and shares of corners 1 and 2, each times `over`.

@@ -4,7 +4,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "shade/daylight.h"
 #include "shade/ground_ray-inl.h"
 #include "shade/ground_runs.h"
 
@@ -19,13 +18,6 @@ using Floats = hn::Rebind<float, Doubles>;
 
 HWY_INLINE void store(V v, GroundRuns::Lane<float>& lane, std::size_t i) {
     hn::Store(hn::DemoteTo(Floats(), v), Floats(), lane.data() + i);
-}
-
-HWY_INLINE V difference(const GroundRuns::Lane<std::int32_t>& a, const GroundRuns::Lane<std::int32_t>& b,
-                        std::size_t i) {
-    const hn::Rebind<std::int32_t, Doubles> ints;
-    return hn::ConvertTo(Doubles(), hn::PromoteTo(hn::RebindToSigned<Doubles>(),
-                                                  hn::Sub(hn::Load(ints, a.data() + i), hn::Load(ints, b.data() + i))));
 }
 
 // Through three values, at v = 0, 1/2 and 1.
@@ -43,11 +35,11 @@ class Some {
         : runs_(runs),
           i_(first),
           rays_(scene, load(runs.x, first), load(runs.y, first)),
-          triangles_(runs.corner, first),
-          column1_(difference(runs.column[1], runs.column[0], first)),
-          column2_(difference(runs.column[2], runs.column[0], first)),
-          row1_(difference(runs.row[1], runs.row[0], first)),
-          row2_(difference(runs.row[2], runs.row[0], first)) {}
+          triangles_(runs.triangles, first),
+          column1_(from_first(runs.triangles.column, 1, first)),
+          column2_(from_first(runs.triangles.column, 2, first)),
+          row1_(from_first(runs.triangles.row, 1, first)),
+          row2_(from_first(runs.triangles.row, 2, first)) {}
 
     HWY_INLINE void follow(Vector<Scene> to_sun, double lowest_m) const {
         const V begin_u = load(runs_.from_u, i_), end_u = load(runs_.to_u, i_);
@@ -104,10 +96,7 @@ class Some {
     }
 
     HWY_INLINE void store_height(V u, double lowest_m) const {
-        V3 from_middle = add(set(rays_.reference()), rays_.origin(u));
-        from_middle.z = hn::Add(from_middle.z, set(kEarthRadius_m));
-        const V height = hn::Sub(hn::Sqrt(dot(from_middle, from_middle)), set(kEarthRadius_m));
-        store(hn::Sub(height, set(lowest_m)), runs_.from_height_m, i_);
+        store(hn::Sub(rays_.height_over_ball_m(u), set(lowest_m)), runs_.from_height_m, i_);
     }
 
     GroundRuns& runs_;

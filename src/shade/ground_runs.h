@@ -5,21 +5,21 @@
 #include <cstdint>
 
 #include "flight/motion.h"
+#include "shade/ground_triangles.h"
 
 namespace overfly {
 
 // What lines of sight do on the ground while each of them sees one triangle: runs, many at once, in the layout that
 // vector units like. A run's time is v, from 0 to 1.
 struct GroundRuns {
-    static constexpr std::size_t kSize = 64;
+    static constexpr std::size_t kSize = GroundTriangles::kSize;
     template <class T>
-    using Lane = std::array<T, kSize>;
+    using Lane = GroundTriangles::Lane<T>;
 
-    // Asked: film points, begin and end in the piece's u, and the triangles by corner.
+    // Asked: film points, begin and end in the piece's u, and the triangles.
     alignas(64) Lane<double> x{}, y{}, from_u{}, to_u{};
-    alignas(64) std::array<std::array<Lane<double>, 3>, 3> corner{};  // [corner][axis], in the scene
-    alignas(64) std::array<Lane<std::int32_t>, 3> column{}, row{};    // of the corners in the raster
-    alignas(64) Lane<std::int32_t> in_shadow{};                       // 1: it is; else 0
+    GroundTriangles triangles;
+    alignas(64) Lane<std::int32_t> in_shadow{};  // 1: it is; else 0
 
     // Answered. Numerators and what they are over, quadratics of v: c[0] + v (c[1] + v c[2]). As rays move by
     // quadratics of time and a run is short, they follow the run closely: at both ends and in the middle they are

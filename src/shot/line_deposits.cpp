@@ -59,15 +59,7 @@ void LineDeposits::add_ground(const SceneShader::Sighting& sighting, TimeRange w
     runs_.y[k] = sighting.y;
     runs_.from_u[k] = camera_->u_at(when.begin_s);
     runs_.to_u[k] = camera_->u_at(when.end_s);
-    const auto& ids = shader_->mesh_->triangles[seen.triangle];
-    for (std::size_t c = 0; c < 3; ++c) {
-        const GroundCorner corner = shader_->corner(ids[c]);
-        runs_.corner[c][0][k] = corner.position.x;
-        runs_.corner[c][1][k] = corner.position.y;
-        runs_.corner[c][2][k] = corner.position.z;
-        runs_.column[c][k] = corner.sample.column;
-        runs_.row[c][k] = corner.sample.row;
-    }
+    runs_.triangles.set(k, *shader_->mesh_, seen.triangle);
     runs_.in_shadow[k] = seen.in_shadow ? 1 : 0;
     to_[k] = to;
     if (to.shares != nullptr) {

@@ -22,15 +22,7 @@ void ManyLooks::look_at_ground(std::size_t i) {
     ground_.x[k] = look.sighting.x;
     ground_.y[k] = look.sighting.y;
     ground_.u[k] = camera_->u_at(look.time_s);
-    const auto& ids = shader_->mesh_->triangles[look.sighting.seen->triangle];
-    for (std::size_t c = 0; c < 3; ++c) {
-        const GroundCorner corner = shader_->corner(ids[c]);
-        ground_.corner[c][0][k] = corner.position.x;
-        ground_.corner[c][1][k] = corner.position.y;
-        ground_.corner[c][2][k] = corner.position.z;
-        ground_.column[c][k] = corner.sample.column;
-        ground_.row[c][k] = corner.sample.row;
-    }
+    ground_.triangles.set(k, *shader_->mesh_, look.sighting.seen->triangle);
     on_ground_[k] = static_cast<std::uint32_t>(i);
     if (++ground_count_ == GroundLooks::kSize) meet();
 }
