@@ -60,7 +60,7 @@ void KineticTracer::follow(const Following& what, std::span<const ImageSample> s
     const PieceStretch stretch = {&motion, motion.u_at(what.when.begin_s), motion.u_at(what.when.end_s), what.when};
     // Memory that each thread keeps: fresh pages for each call would take longer than the walk.
     thread_local WalkingSamples walking;
-    KineticWalk(*scene_, *what.piece, stretch, samples, walking, counters).follow(out);
+    KineticWalk({scene_, &scene_->mesh(), what.piece, samples, &walking, &counters}, stretch).follow(out);
     counters.segments += out.segments.size() - before;
     if (check_) check_->run(motion, samples, what.when, out, counters);
 }

@@ -29,6 +29,16 @@ struct WalkingSamples {
     StrideLog log;
 };
 
+// What is to be walked: all of it outlives the walk.
+struct WalkTask {
+    const RayScene* scene;
+    const TriangleMesh* mesh;  // the scene's
+    const KineticPiece* piece;
+    std::span<const ImageSample> samples;
+    WalkingSamples* walking;
+    TraceCounters* counters;
+};
+
 // The steps of a walk that are not plain, of one sample at a time, in double: times are roots of the edge functions,
 // neighbours share an edge function to the last bit, and what holds just after a time is told by counting roots, so at
 // vertices, too, the walk is never between two triangles.
@@ -37,17 +47,7 @@ class KineticSteps {
     using Care = WalkingSamples::Care;
 
     // All must outlive it. samples: of the walk, by the same numbers.
-    KineticSteps(const RayScene& scene, const KineticPiece& piece, std::span<const ImageSample> samples,
-                 WalkingSamples& walking, TraceCounters& counters)
-        : scene_(&scene),
-          mesh_(&scene.mesh()),
-          piece_(&piece),
-          counters_(&counters),
-          samples_(samples),
-          strides_(walking.strides),
-          cares_(walking.cares),
-          passages_(walking.passages),
-          log_(walking.log) {}
+    explicit KineticSteps(const WalkTask& task) : task_(task) {}
 
     // All else is about this sample from now on.
     void hold(std::uint32_t sample) { held_ = sample; }
@@ -61,8 +61,8 @@ class KineticSteps {
     [[nodiscard]] bool handle_passage(const SilhouettePassage& passage);
     // Notes that what has been seen was seen until then.
     void emit(double until) {
-        Stride& s = strides_[held_];
-        s.last = log_.add(s.last, s.triangle, static_cast<float>(until));
+        Stride& s = task_.walking->strides[held_];
+        s.last = task_.walking->log.add(s.last, s.triangle, static_cast<float>(until));
     }
 
     [[nodiscard]] Line line_at(double u) const;
@@ -92,16 +92,7 @@ class KineticSteps {
     [[nodiscard]] EdgeSide side_of(HalfEdgeId half_edge);
     [[nodiscard]] bool is_inside_but(HalfEdgeId half_edge, double u) const;
 
-    const RayScene* scene_;
-    const TriangleMesh* mesh_;
-    const KineticPiece* piece_;
-    TraceCounters* counters_;
-
-    std::span<const ImageSample> samples_;
-    std::vector<Stride>& strides_;
-    std::vector<Care>& cares_;
-    std::vector<SilhouettePassage>& passages_;
-    StrideLog& log_;
+    WalkTask task_;
     std::uint64_t jumps_ = 0;
 
     // Of the sample that is held.

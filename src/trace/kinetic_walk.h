@@ -20,19 +20,7 @@ namespace overfly {
 // What is plain is done by stride(), everything else by KineticSteps; here is who goes on by which.
 class KineticWalk {
   public:
-    KineticWalk(const RayScene& scene, const KineticPiece& piece, const PieceStretch& stretch,
-                std::span<const ImageSample> samples, WalkingSamples& walking, TraceCounters& counters)
-        : scene_(&scene),
-          mesh_(&scene.mesh()),
-          piece_(&piece),
-          stretch_(stretch),
-          counters_(&counters),
-          samples_(samples),
-          strides_(walking.strides),
-          cares_(walking.cares),
-          passages_(walking.passages),
-          log_(walking.log),
-          steps_(scene, piece, samples, walking, counters) {}
+    KineticWalk(const WalkTask& task, const PieceStretch& stretch) : task_(task), stretch_(stretch), steps_(task) {}
 
     // Appends what the samples see. Once.
     void follow(SegmentLists& out);
@@ -61,17 +49,8 @@ class KineticWalk {
     [[nodiscard]] bool is_hidden(const SilhouettePassage& passage) const;
     void settle_doubt(Stride& s);
 
-    const RayScene* scene_;
-    const TriangleMesh* mesh_;
-    const KineticPiece* piece_;
+    WalkTask task_;
     PieceStretch stretch_;
-    TraceCounters* counters_;
-
-    std::span<const ImageSample> samples_;
-    std::vector<Stride>& strides_;
-    std::vector<Care>& cares_;
-    std::vector<SilhouettePassage>& passages_;
-    StrideLog& log_;
     KineticSteps steps_;
     std::vector<Way> way_;  // of one sample, latest first
 };
