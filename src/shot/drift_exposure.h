@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,14 +14,18 @@ namespace overfly {
 // A stretch of the picture, rows and columns alike, in which all lines drift the same way.
 inline constexpr int kDriftTileSide_px = 64;
 
+// Whether one sweep does for all exposures of a piece: they are equally long, and not so short that lines would pass
+// all of the picture in between.
+[[nodiscard]] bool are_swept_together(const Exposing& exposing, const MotionPiece& piece);
+
+struct DriftView;
+
 // The light of lines that drift over the picture, for the frames of one piece of the camera's motion. They drift across
 // the motion of what they see, or nearly: along x or y, whichever is more across it, tile by tile (design 3.5). A frame
 // without exposure time is swept in the same way while the world stands still.
 //
-// Where all exposures of the piece are equally long, lines drift at one speed all through the piece. Where they aren't,
-// or are so short that the lines would pass all of the picture in between, each exposure is swept by itself.
-[[nodiscard]] bool are_swept_together(const Exposing& exposing, const MotionPiece& piece);
-
+// Where all exposures of the piece are swept together, lines drift at one speed all through the piece; else each
+// exposure is swept by itself.
 class DriftExposure {
   public:
     // All must outlive it. REQUIRES: a pair with drift and without discrete tracer; planned frames; of
@@ -39,9 +43,6 @@ class DriftExposure {
     void run(const Part& part, TraceCounters& counters) const;
 
   private:
-    struct View;
-    class Tile;
-
     void prepare(const Sight& sight, TimeRange over, double exposure_s);
     [[nodiscard]] DriftAxis axis_for(const PixelTile& tile, const MotionPiece& piece) const;
 
@@ -50,8 +51,8 @@ class DriftExposure {
     ShutterCurve curve_;
     std::span<FilmFrame* const> films_;
     std::vector<PixelTile> tiles_;
-    std::vector<DriftAxis> axes_;                 // of each tile
-    std::array<std::unique_ptr<View>, 2> views_;  // by axis, as far as any tile needs them
+    std::vector<DriftAxis> axes_;                      // of each tile
+    std::array<std::unique_ptr<DriftView>, 2> views_;  // by axis, as far as any tile needs them
 };
 
 }  // namespace overfly

@@ -1,0 +1,125 @@
+#include "shot/drift_tile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "film/frame_error.h"
+#include "film/integrate.h"
+
+namespace overfly {
+namespace {
+
+constexpr int kBlockSide_px = 16;  // of lines that are traced in one go
+
+// Of an error that can't be reached, and is far below what anyone sees.
+constexpr int kMostLines = 64;
+
+}  // namespace
+
+DriftTile::DriftTile(const Exposing& exposing, const PixelTile& tile, const DriftView& view, const ShutterCurve& curve,
+                     TraceCounters& counters)
+    : exposing_(&exposing),
+      view_(&view),
+      counters_(&counters),
+      tile_(tile),
+      pattern_(view.pattern),
+      curve_(curve),
+      pixels_(tile, view.pattern.axis, view.px_per_s, exposing.margin_px(), RunWeighing(curve, exposing.filter)) {}
+
+void DriftTile::expose(TimeRange exposure, FilmFrame& film) {
+    film_ = &film;
+    pixels_.set_exposure({exposure, curve_});
+    pixels_.set_film(0, 0, view_->pattern.size.width);
+    pixels_.set_lines(pattern_.per_pixel);
+    if (exposing_->tracers.error > 0.0) {
+        sweep_until_good();
+    } else {
+        sweep();
+    }
+}
+
+// All lines of the pattern that are in the tile at any time of the exposure, or so near that it gets light of them.
+void DriftTile::sweep() {
+    const TimeRange e = pixels_.exposure().when;
+    const double reach_px = 0.5 * view_->px_per_s * e.duration_s();
+    const double end_px = pixels_.end_px() + reach_px;
+    const auto [begin_row, end_row] = pixels_.rows_around();
+    for (double from = pixels_.begin_px() - reach_px; from < end_px; from += kBlockSide_px) {
+        const double to = std::min(from + kBlockSide_px, end_px);
+        const TimeRange open = intersection(intersection(e, view_->when()), pixels_.time_near(from, to));
+        if (open.duration_s() <= kLeastShare * e.duration_s()) continue;
+        for (int row = begin_row; row < end_row; row += kBlockSide_px)
+            follow({row, std::min(row + kBlockSide_px, end_row), from, to}, open);
+    }
+}
+
+// Twice as many lines again and again: half of them are always other ones than the half before, so the difference of
+// the two pictures tells the error of their mean. Where only a part of the exposure is in this piece, the error allowed
+// is that part's share, as errors of parts add up that know nothing of each other.
+void DriftTile::sweep_until_good() {
+    FilmFrame* const whole_film = film_;
+    const TimeRange open = intersection(pixels_.exposure().when, view_->when());
+    const double share = open.duration_s() > 0.0 ? pixels_.exposure().share_of(open) : 0.0;
+    const double allowed = exposing_->tracers.error * std::sqrt(share);
+    // A film that counts its weights is developed to a whole exposure.
+    const float weight = exposing_->filter != nullptr ? static_cast<float>(share) : 1.0F;
+    Frame mean = sweep_apart(1);
+    for (int lines = 1; lines < kMostLines; lines *= 2) {
+        const Frame other = sweep_apart(lines);
+        const double error = 0.5 * root_mean_square(mean, other);
+        for (std::size_t i = 0; i < mean.rgba.size(); ++i) {
+            for (std::size_t c = 0; c < 4; ++c) mean.rgba[i][c] = 0.5F * (mean.rgba[i][c] + other.rgba[i][c]);
+            mean.depth_m[i] = std::min(mean.depth_m[i], other.depth_m[i]);
+        }
+        if (error <= allowed) break;
+    }
+    const int width = view_->pattern.size.width;
+    for (int y = 0; y < mean.height; ++y) {
+        for (int x = 0; x < mean.width; ++x) {
+            const std::size_t i = mean.index(x, y);
+            const auto& [r, g, b, a] = mean.rgba[i];
+            whole_film->add(static_cast<std::size_t>(tile_.top + y) * static_cast<std::size_t>(width) +
+                                static_cast<std::size_t>(tile_.left + x),
+                            weight, {{r, g, b}, a, mean.depth_m[i]});
+        }
+    }
+}
+
+// A picture of the tile alone, by lines that no other has been made of.
+Frame DriftTile::sweep_apart(int lines) {
+    FilmFrame film = exposing_->film_of(pixels_.width(), pixels_.height());
+    film_ = &film;
+    pixels_.set_film(tile_.left, tile_.top, pixels_.width());
+    pixels_.set_lines(lines);
+    pattern_.per_pixel = lines;
+    ++pattern_.set;
+    sweep();
+    return std::move(film).develop();
+}
+
+// REQUIRES: open is a part of the exposure.
+void DriftTile::follow(const HomeRange& homes, TimeRange open) {
+    const double shift_px = view_->px_per_s * (pixels_.exposure().when.centre_s() - view_->when().centre_s());
+    lines_ = lines_of(pattern_, homes);
+    samples_.clear();
+    for (const DriftingLine& line : lines_) samples_.push_back(sample_of(pattern_, line, shift_px));
+    SurfaceSegmentLists lists;
+    view_->tracer.trace(view_->prepared, samples_, {&open, 1}, lists, *counters_);
+    LineDeposits lines(exposing_->shader, view_->camera(), {&film_, 1});
+    LightDeposits looks(exposing_->shader, view_->camera(), {&film_, 1});
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        const DriftingLine& line = lines_[i];
+        const TimeRange near = intersection(open, pixels_.time_near(line.home_px, line.home_px));
+        if (near.duration_s() <= 0.0) continue;
+        for_each_stretch(lists.of(i), near, [&](const SurfaceSegment* seen, TimeRange stretch) {
+            const SceneShader::Sighting sighting = {samples_[i].x, samples_[i].y, seen, lists.reflected};
+            const PixelRun to = pixels_.run_of(line, stretch);
+            if (sighting.is_of_ground()) return lines.add_ground(sighting, stretch, to);
+            if (seen == nullptr && lines.add_sky(sighting, stretch, to)) return;
+            pixels_.look_often(line, sighting, stretch, to, looks);
+        });
+    }
+}
+
+}  // namespace overfly

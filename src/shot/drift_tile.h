@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "shot/drift_pixels.h"
+#include "shot/drift_view.h"
+#include "shot/expose_piece.h"
+
+namespace overfly {
+
+// A part of an exposure that is no more than rounding, where it ends as a piece begins.
+inline constexpr double kLeastShare = 1e-9;
+
+// One tile of the picture while drifting lines expose it.
+class DriftTile {
+  public:
+    // All must outlive it. curve: the shutter's while this view is exposed.
+    DriftTile(const Exposing& exposing, const PixelTile& tile, const DriftView& view, const ShutterCurve& curve,
+              TraceCounters& counters);
+
+    // Adds its pixels' light of an exposure, as far as the view has it, to the picture's film.
+    void expose(TimeRange exposure, FilmFrame& film);
+
+  private:
+    void sweep();
+    void sweep_until_good();
+    [[nodiscard]] Frame sweep_apart(int lines);
+    void follow(const HomeRange& homes, TimeRange open);
+
+    const Exposing* exposing_;
+    const DriftView* view_;
+    TraceCounters* counters_;
+    PixelTile tile_;
+    LinePattern pattern_;
+    ShutterCurve curve_;
+    DriftPixels pixels_;
+    FilmFrame* film_ = nullptr;  // that pixels_ are of
+    std::vector<DriftingLine> lines_;
+    std::vector<ImageSample> samples_;
+};
+
+}  // namespace overfly
