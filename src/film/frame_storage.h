@@ -14,8 +14,8 @@ enum class Compression {
 
 // Layers that a compression is chosen for together.
 enum class LayerGroup {
-    Beauty,  // R, G, B, A
-    Data,    // everything that is not for the eye: Z
+    Beauty,  // R, G, B, A and light of all kinds
+    Data,    // everything that is not for the eye: Z, N, lon, ...
 };
 
 // How a frame's file stores its layers, group by group.
