@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/error.h"
 #include "core/local_time.h"
 #include "film/frame_storage.h"
+#include "film/layers.h"
 #include "film/pixel_filter.h"
 #include "film/preview_style.h"
 #include "flight/body_motion.h"
@@ -82,6 +84,7 @@ struct OutputDocument {
     bool contact_sheet = true;
     bool movie = true;
     FrameStorage storage;
+    bool layer_files = false;  // a file for each layer, NAME.LAYER.0001.exr, beside the beauty's
     PreviewStyle preview;  // of the contact sheet and the movie
 };
 
@@ -97,6 +100,13 @@ struct BodyDocument {
     BodyPlaces places;
 };
 
+// Which ground is of what kind, for the layers `id` and `cryptomatte`.
+struct ClassesDocument {
+    std::filesystem::path raster;  // a file, or a name that only GDAL understands
+    int band = 1;
+    std::map<int, std::string> names{};  // by value, at least 0; a value that has none is called by its digits
+};
+
 // configs/NAME.yaml: one shot.
 struct ShotDocument {
     std::filesystem::path file;
@@ -108,6 +118,8 @@ struct ShotDocument {
     SamplingDocument sampling;
     LookDocument look;
     std::vector<BodyDocument> bodies;
+    LayerSet layers{};  // beside R, G, B, A and Z
+    std::optional<ClassesDocument> classes{};
     OutputDocument output;
     double motion_bound_px = 0.01;
     double mesh_pixel_error = 0.5;  // 0: every sample

@@ -84,6 +84,7 @@ void read_output(Section& section, OutputDocument& output) {
     section.read("folder", output.folder, PathTo::Folder);
     read_name(section, output.name);
     read_storage(section, output.storage);
+    section.read("layer_files", output.layer_files);
     section.read("contact_sheet", output.contact_sheet);
     section.read("movie", output.movie);
     section.read_node("burn_in", [&](const Node& node, const std::string& path, std::vector<Problem>& problems) {

@@ -4,6 +4,7 @@
 #include "config/body_flights.h"
 #include "config/document_file.h"
 #include "config/frame_rate.h"
+#include "config/layer_keys.h"
 #include "config/output_keys.h"
 #include "config/read.h"
 
@@ -121,6 +122,8 @@ void read_shot(Section& document, ShotDocument& shot) {
     document.section("sampling", [&](Section& s) { read_sampling(s, shot.sampling); });
     document.section("look", [&](Section& s) { read_look(s, shot.look); });
     read_bodies(document, shot.bodies);
+    read_layers(document, shot.layers);
+    read_classes(document, shot.classes);
     document.section("output", [&](Section& s) { read_output(s, shot.output); });
     document.section("motion", [&](Section& s) { s.read("bound_px", shot.motion_bound_px, Range::above(0, 1)); });
     document.section("mesh", [&](Section& s) { s.read("pixel_error", shot.mesh_pixel_error, {0, 100}); });

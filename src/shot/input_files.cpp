@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <variant>
 
+#include "io/class_raster.h"
 #include "io/mesh_file.h"
 
 namespace overfly {
@@ -23,6 +24,10 @@ std::vector<NamedFile> named_files(const ShotDocument& shot) {
             files.push_back({"mesh of " + body.name, file});
     }
     if (!shot.look.colours.empty()) files.push_back({"colours", shot.look.colours});
+    if (shot.classes && shot.layers.has_any({Layer::Id, Layer::Cryptomatte})) {
+        for (const std::filesystem::path& file : class_raster_inputs(shot.classes->raster))
+            files.push_back({"classes", file});
+    }
     return files;
 }
 

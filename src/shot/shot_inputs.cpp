@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "core/version.h"
+#include "io/class_raster.h"
 #include "io/content_hash.h"
 #include "io/mesh_file.h"
 
@@ -77,6 +78,25 @@ std::string text_of(const Shutter& shutter) {
     return text + '\n';
 }
 
+// Nothing of a shot without layers, so that frames from before there were any are kept. The raster adds itself to the
+// files. Cryptomatte knows bodies and classes by their names.
+std::string text_of_layers(const ShotDocument& shot, std::vector<std::filesystem::path>& files) {
+    if (shot.layers.empty()) return "";
+    std::string text = fmt::format("layer files {} layers", shot.output.layer_files);
+    for (const LayerKind& kind : layer_kinds()) {
+        if (shot.layers.has(kind.layer)) text += fmt::format(" {}", kind.name);
+    }
+    text += '\n';
+    if (!shot.layers.has_any({Layer::Id, Layer::Cryptomatte})) return text;
+    for (const BodyDocument& body : shot.bodies) text += fmt::format("called {}\n", body.name);
+    if (!shot.classes) return text;
+    const auto inputs = class_raster_inputs(shot.classes->raster);
+    files.insert(files.end(), inputs.begin(), inputs.end());
+    text += fmt::format("classes of {} files, band {}\n", inputs.size(), shot.classes->band);
+    for (const auto& [value, name] : shot.classes->names) text += fmt::format("class {} {}\n", value, name);
+    return text;
+}
+
 }  // namespace
 
 std::string shot_inputs_hash(const ShotDocument& shot, const std::string& scene_hash) {
@@ -110,6 +130,7 @@ std::string shot_inputs_hash(const ShotDocument& shot, const std::string& scene_
     std::vector<std::filesystem::path> files;
     for (const BodyDocument& body : shot.bodies) text += text_of(body, files);
     if (!shot.look.colours.empty()) files.push_back(shot.look.colours);
+    text += text_of_layers(shot, files);
     return content_hash(files, text);
 }
 

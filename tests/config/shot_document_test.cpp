@@ -51,6 +51,14 @@ TEST(ReadShotDocument, ReadsEveryKey) {
     const ViewChoice view{
         .config = good_folder / "shot.yaml", .colour_space = "linear", .display = "Monitor", .view = "Film"};
     EXPECT_EQ(shot.output.preview.view, view);
+    EXPECT_TRUE(shot.output.layer_files);
+    LayerSet layers = *layers_named("geo");
+    layers.add({Layer::Normal, Layer::Position, Layer::Cryptomatte});
+    EXPECT_EQ(shot.layers, layers);
+    ASSERT_TRUE(shot.classes);
+    EXPECT_EQ(shot.classes->raster, good_folder / "shot.yaml");
+    EXPECT_EQ(shot.classes->band, 2);
+    EXPECT_EQ(shot.classes->names, (std::map<int, std::string>{{11, "water"}, {41, "forest"}, {42, "forest"}}));
     EXPECT_EQ(shot.motion_bound_px, 0.05);
     EXPECT_EQ(shot.mesh_pixel_error, 0.25);
 }
@@ -70,6 +78,9 @@ TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
     EXPECT_EQ(shot.sampling.mirror_depth, 1);
     EXPECT_EQ(shot.look.sun_shadows, SunShadows::Baked);
     EXPECT_TRUE(shot.bodies.empty());
+    EXPECT_TRUE(shot.layers.empty());
+    EXPECT_FALSE(shot.classes);
+    EXPECT_FALSE(shot.output.layer_files);
     EXPECT_EQ(shot.look.look, Look{});
     EXPECT_TRUE(shot.look.colours.empty());
     EXPECT_EQ(shot.output.folder, "out/smallest_shot");
@@ -98,6 +109,17 @@ TEST(ReadShotDocument, TakesTrueForAllThatCanBeBurntIn) {
     EXPECT_EQ(output_with("output.burn_in=true").preview.burn_in, (BurnIn{.frame = true, .place = true, .time = true}));
     EXPECT_EQ(output_with("output.burn_in=[place]").preview.burn_in, (BurnIn{.place = true}));
     EXPECT_EQ(output_with("output.burn_in=false").preview.burn_in, BurnIn{});
+}
+
+TEST(ReadShotDocument, TakesOneLayerOrAListOfThemThatMayBeEmpty) {
+    const auto layers = [](const std::string& assignment) {
+        return read_shot_document(good_folder / "shot.yaml", std::vector<std::string>{assignment}).layers;
+    };
+    EXPECT_EQ(layers("layers=all"), layers_named("all"));
+    EXPECT_EQ(layers("layers=N"), LayerSet{Layer::Normal});
+    EXPECT_EQ(layers("layers=[light, albedo]"), (LayerSet{Layer::Direct, Layer::Shadow, Layer::Sky, Layer::Haze,
+                                                          Layer::Background, Layer::Reflection, Layer::Albedo}));
+    EXPECT_EQ(layers("layers=[]"), LayerSet{});
 }
 
 TEST(ReadShotDocument, TakesAnEmptySectionForOneOfDefaults) {

@@ -160,6 +160,36 @@ TEST(ShotInputs, NamesOfBodiesAndOfTheirFilesDoNotChangeTheHash) {
     EXPECT_EQ(shot_inputs_hash(shot, "scene"), hash);
 }
 
+TEST(ShotInputs, EverythingAboutLayersThatChangesFramesChangesTheHash) {
+    const TemporaryFolder folder;
+    ShotDocument shot = sample_shot(folder.path());
+    shot.bodies = sample_bodies(shot, folder / "a.obj");
+    shot.layers = {Layer::Normal, Layer::Cryptomatte};
+    const std::filesystem::path raster = source_folder / "terrain/blanca_peak_utm13n_75m.tif";
+    std::filesystem::copy_file(raster, folder / "classes.tif");
+    shot.classes = {folder / "classes.tif", 1, {{11, "water"}}};
+    const std::vector<Change> changes = {
+        [](ShotDocument&) {},
+        [](ShotDocument& s) { s.layers = {}; },
+        [](ShotDocument& s) { s.layers = {Layer::Normal}; },
+        [](ShotDocument& s) { s.layers.add(Layer::Cost); },
+        [](ShotDocument& s) { s.output.layer_files = true; },
+        [](ShotDocument& s) { s.bodies[0].name = "another"; },
+        [](ShotDocument& s) { s.classes.reset(); },
+        [](ShotDocument& s) { s.classes->band = 2; },
+        [](ShotDocument& s) { s.classes->names[11] = "lake"; },
+        [](ShotDocument& s) { s.classes->names[12] = "snow"; },
+    };
+    std::set<std::string> hashes;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        ShotDocument changed = shot;
+        changes[i](changed);
+        EXPECT_TRUE(hashes.insert(shot_inputs_hash(changed, "scene")).second) << "change " << i;
+    }
+    std::ofstream(folder / "classes.tif", std::ios::app) << "more";
+    EXPECT_TRUE(hashes.insert(shot_inputs_hash(shot, "scene")).second) << "another raster under the same name";
+}
+
 TEST(ShotInputs, NeedTheMeshOfABody) {
     const TemporaryFolder folder;
     ShotDocument shot = sample_shot(folder.path());
@@ -187,6 +217,8 @@ TEST(ShotInputs, NamesAndChoicesDoNotChangeTheHash) {
         [](ShotDocument& s) { s.output.folder = "elsewhere"; },
         [](ShotDocument& s) { s.output.name = "another"; },
         [](ShotDocument& s) { s.output.movie = false; },
+        [](ShotDocument& s) { s.output.layer_files = true; },  // of no layers
+        [](ShotDocument& s) { s.classes = {"no.tif"}; },       // that nothing shows
         [](ShotDocument& s) { s.output.preview.burn_in.frame = true; },
         [](ShotDocument& s) { s.output.storage = {.beauty = Compression::Piz, .data = Compression::Zips}; },
         [](ShotDocument& s) { s.output.storage.quality = 60.0; },  // of a compression that isn't used
