@@ -1,5 +1,6 @@
 #include "film/layers.h"
 
+#include <algorithm>
 #include <array>
 
 namespace overfly {
@@ -79,6 +80,13 @@ constexpr LayerSet kGeo = {Layer::Longitude, Layer::Latitude, Layer::Elevation,
 }  // namespace
 
 std::span<const LayerKind> layer_kinds() { return kKinds; }
+
+std::optional<Layer> layer_of_channel(std::string_view channel) {
+    const auto* const found = std::ranges::find_if(kKinds, [&](const LayerKind& kind) {
+        return std::ranges::find(kind.channels, channel) != kind.channels.end();
+    });
+    return found == kKinds.end() ? std::nullopt : std::optional(found->layer);
+}
 
 std::optional<LayerSet> layers_named(std::string_view name) {
     if (name == "light") return kLight;

@@ -74,6 +74,9 @@ struct LayerKind {
 [[nodiscard]] std::span<const LayerKind> layer_kinds();
 [[nodiscard]] inline const LayerKind& kind_of(Layer layer) { return layer_kinds()[static_cast<std::size_t>(layer)]; }
 
+// The one that has a channel of this name; nothing for R, G, B, A, Z and what else is none.
+[[nodiscard]] std::optional<Layer> layer_of_channel(std::string_view channel);
+
 // Several layers under one name: "light" (those that add up to the beauty), "geo", "all".
 [[nodiscard]] std::optional<LayerSet> layers_named(std::string_view name);
 

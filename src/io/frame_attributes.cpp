@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "io/layer_attributes.h"
+
 namespace overfly {
 namespace {
 
@@ -14,10 +16,6 @@ constexpr const char* kComments =
     "latitude in degrees, height in metres above the WGS84 ellipsoid. altitude is above sea level (EGM96). The camera "
     "is that of the middle of the exposure; overfly:cameraMatrix is worldToCamera and overfly:worldToNDC is worldToNDC "
     "in double precision. R, G, B are linear light, premultiplied by A.";
-
-constexpr const char* kDepthMeaning =
-    "planar distance along the view axis in metres, nearest in the pixel while the shutter is open; 1e10 = nothing but "
-    "sky";
 
 FrameAttribute::Matrix44f single_precision(const RowMatrix& m) {
     FrameAttribute::Matrix44f single{};
@@ -104,6 +102,7 @@ std::vector<FrameAttribute> frame_attributes(const FrameHeader& header, int widt
     append_camera(attributes, header, width_px, height_px);
     append_place(attributes, header);
     append_origin_of_frame(attributes, header);
+    append_layers(attributes, header);
     return attributes;
 }
 

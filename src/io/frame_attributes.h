@@ -24,6 +24,9 @@ struct FrameAttribute {
 };
 
 inline constexpr const char* kInputsAttribute = "overfly:inputs";
+inline constexpr const char* kDepthMeaning =
+    "planar distance along the view axis in metres, nearest in the pixel while the shutter is open; 1e10 = nothing but "
+    "sky";
 
 // Standard attributes in the standard's types, which are single precision, and the same camera in double precision
 // under the prefix `overfly:`. A longitude in single precision is exact to 2 m only; worldToNDC has the precision of

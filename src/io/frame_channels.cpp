@@ -140,14 +140,18 @@ FrameChannels read_channels(const std::filesystem::path& file) {
     }
 }
 
+PixelHash::PixelHash(int width, int height) { add_text(fmt::format("{}x{}\n", width, height)); }
+
+void PixelHash::add(const FrameChannel& channel) {
+    add_text(fmt::format("{} {}\n", channel.name, name_of(channel.type)));
+    hash_.add(channel.values);
+}
+
+void PixelHash::add_text(const std::string& text) { hash_.add(std::as_bytes(std::span(text))); }
+
 Sha256Digest pixel_hash(const FrameChannels& frame) {
-    Sha256 hash;
-    const auto add_text = [&](const std::string& text) { hash.add(std::as_bytes(std::span(text))); };
-    add_text(fmt::format("{}x{}\n", frame.width, frame.height));
-    for (const FrameChannel& channel : frame.channels) {
-        add_text(fmt::format("{} {}\n", channel.name, name_of(channel.type)));
-        hash.add(channel.values);
-    }
+    PixelHash hash(frame.width, frame.height);
+    for (const FrameChannel& channel : frame.channels) hash.add(channel);
     return hash.digest();
 }
 

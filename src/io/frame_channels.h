@@ -39,6 +39,19 @@ struct FrameChannels {
 // channel, in order, of the text "NAME TYPE\n" and the values.
 [[nodiscard]] Sha256Digest pixel_hash(const FrameChannels& frame);
 
+// The same, one channel after another. REQUIRES: in the order of names.
+class PixelHash {
+  public:
+    PixelHash(int width, int height);
+    void add(const FrameChannel& channel);
+    [[nodiscard]] Sha256Digest digest() { return hash_.digest(); }
+
+  private:
+    void add_text(const std::string& text);
+
+    Sha256 hash_;
+};
+
 // The values of a channel as numbers; a uint above 2^24 is rounded.
 [[nodiscard]] std::vector<float> numbers_of(const FrameChannel& channel);
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "io/frame_channels.h"
+#include "io/stored_pixels.h"
 
 namespace overfly {
 
@@ -34,7 +34,7 @@ struct FrameDigest {
 };
 
 // Without the file's size. Whoever has a frame in memory and stores it without loss need not read it back.
-[[nodiscard]] FrameDigest digest_of(const FrameChannels& frame);
+[[nodiscard]] FrameDigest digest_of(const StoredChannels& frame);
 
 // Reads the file whole. Throws UserError as read_channels does.
 [[nodiscard]] FrameDigest digest_frame(const std::filesystem::path& file);

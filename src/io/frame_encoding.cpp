@@ -35,8 +35,6 @@ namespace {
 // Frames are written in parallel by whoever calls; lines within one frame are not.
 constexpr int kThreadsWithinFrame = 0;
 
-constexpr float kLargestHalf = 65504.0F;
-
 class ExrStream : public Imf::OStream {
   public:
     explicit ExrStream(ByteSink& sink) : OStream("a frame"), sink_(sink) {}
@@ -103,39 +101,23 @@ Imf::Header exr_header(const FrameHeader& frame_header, int width, int height) {
     return header;
 }
 
-// A channel, where its first value is in memory, and how many bytes further the next one.
-struct Plane {
-    const char* channel;
-    Imf::PixelType type;
-    const void* first;
-    std::size_t stride;
-};
+Imf::PixelType imf(ChannelType type) {
+    return type == ChannelType::Half ? Imf::HALF : type == ChannelType::Float ? Imf::FLOAT : Imf::UINT;
+}
 
 // Of a part of the file.
 struct PartLayers {
     const char* name;
     Compression compression;
-    std::vector<Plane> planes;
+    std::vector<const StoredChannel*> channels;
 };
 
-std::vector<Plane> beauty_planes(const StoredPixels& pixels) {
-    constexpr std::array<const char*, 4> kColours{"R", "G", "B", "A"};
-    std::vector<Plane> planes;
-    for (std::size_t c = 0; c < kColours.size(); ++c)
-        planes.push_back({kColours[c], Imf::HALF, pixels.rgba.data()->data() + c, sizeof(pixels.rgba[0])});
-    return planes;
-}
-
-std::vector<Plane> data_planes(const StoredPixels& pixels) {
-    return {{"Z", Imf::FLOAT, pixels.depth_m.data(), sizeof(float)}};
-}
-
-std::vector<PartLayers> parts_of(const StoredPixels& pixels, const FrameStorage& storage) {
-    std::vector<PartLayers> parts = {{"beauty", storage.beauty, beauty_planes(pixels)},
-                                     {"data", storage.data, data_planes(pixels)}};
-    if (storage.beauty != storage.data) return parts;
-    parts[0].planes.insert(parts[0].planes.end(), parts[1].planes.begin(), parts[1].planes.end());
-    parts.pop_back();
+std::vector<PartLayers> parts_of(const StoredChannels& pixels, const FrameStorage& storage) {
+    std::vector<PartLayers> parts = {{"beauty", storage.beauty, {}}, {"data", storage.data, {}}};
+    const bool is_one = storage.beauty == storage.data;
+    for (const StoredChannel& channel : pixels.channels)
+        parts[is_one || channel.group == LayerGroup::Beauty ? 0 : 1].channels.push_back(&channel);
+    std::erase_if(parts, [](const PartLayers& part) { return part.channels.empty(); });
     return parts;
 }
 
@@ -157,14 +139,15 @@ Imf::Header part_header(const Imf::Header& whole, const PartLayers& layers, doub
     Imf::Header part = whole;
     part.compression() = imf(layers.compression);
     if (layers.compression == Compression::Dwaa) part.dwaCompressionLevel() = static_cast<float>(quality);
-    for (const Plane& plane : layers.planes) part.channels().insert(plane.channel, Imf::Channel(plane.type));
+    for (const StoredChannel* channel : layers.channels)
+        part.channels().insert(channel->name, Imf::Channel(imf(channel->type)));
     return part;
 }
 
 Imf::FrameBuffer frame_buffer(const PartLayers& layers, const Imath::Box2i& window) {
     Imf::FrameBuffer buffer;
-    for (const Plane& plane : layers.planes)
-        buffer.insert(plane.channel, Imf::Slice::Make(plane.type, plane.first, window, plane.stride));
+    for (const StoredChannel* channel : layers.channels)
+        buffer.insert(channel->name, Imf::Slice::Make(imf(channel->type), channel->first, window, channel->stride));
     return buffer;
 }
 
@@ -191,44 +174,8 @@ void write_parts(std::vector<Imf::Header> headers, const std::vector<PartLayers>
 
 }  // namespace
 
-StoredPixels stored_pixels(const Frame& frame) {
-    const std::size_t pixel_count = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
-    check(frame.width > 0 && frame.height > 0, "a frame has pixels");
-    check(frame.rgba.size() == pixel_count && frame.depth_m.size() == pixel_count, "a frame has all its pixels");
-    // What is not a number is a bug of ours, and would spread through every filter that touches it.
-    check(std::ranges::all_of(frame.depth_m, [](float z) { return std::isfinite(z); }), "a frame's depths are finite");
-    StoredPixels pixels{.width = frame.width, .height = frame.height, .rgba = {}, .depth_m = frame.depth_m};
-    pixels.rgba.reserve(pixel_count);
-    for (const auto& rgba : frame.rgba) {
-        std::array<std::uint16_t, 4>& pixel = pixels.rgba.emplace_back();
-        for (std::size_t channel = 0; channel < 4; ++channel) {
-            check(std::isfinite(rgba[channel]), "a frame's colours are finite");
-            pixel[channel] = Imath::half(std::clamp(rgba[channel], -kLargestHalf, kLargestHalf)).bits();
-        }
-    }
-    return pixels;
-}
-
-FrameChannels channels_of(const StoredPixels& pixels) {
-    FrameChannels frame{pixels.width, pixels.height, {}};
-    for (const std::vector<Plane>& planes : {beauty_planes(pixels), data_planes(pixels)}) {
-        for (const Plane& plane : planes) {
-            const bool is_half = plane.type == Imf::HALF;
-            const std::size_t bytes = is_half ? sizeof(std::uint16_t) : sizeof(float);
-            FrameChannel& channel = frame.channels.emplace_back();
-            channel.name = plane.channel;
-            channel.type = is_half ? ChannelType::Half : ChannelType::Float;
-            channel.values.resize(pixels.rgba.size() * bytes);
-            const auto* value = static_cast<const std::byte*>(plane.first);
-            for (std::size_t i = 0; i < pixels.rgba.size(); ++i, value += plane.stride)
-                std::memcpy(channel.values.data() + i * bytes, value, bytes);
-        }
-    }
-    std::ranges::sort(frame.channels, {}, &FrameChannel::name);
-    return frame;
-}
-
-void encode_frame(const StoredPixels& pixels, const FrameHeader& header, const FrameStorage& storage, ByteSink& sink) {
+void encode_frame(const StoredChannels& pixels, const FrameHeader& header, const FrameStorage& storage,
+                  ByteSink& sink) {
     check(!is_lossy(storage.data), "what is not for the eye is stored without loss");
     const Imf::Header whole = exr_header(header, pixels.width, pixels.height);
     const std::vector<PartLayers> parts = parts_of(pixels, storage);
@@ -236,14 +183,6 @@ void encode_frame(const StoredPixels& pixels, const FrameHeader& header, const F
     for (const PartLayers& layers : parts) headers.push_back(part_header(whole, layers, storage.quality));
     if (parts.size() == 1) return write_single(headers.front(), parts.front(), pixels.height, sink);
     write_parts(std::move(headers), parts, pixels.height, sink);
-}
-
-void encode_group(const StoredPixels& pixels, const FrameHeader& header, LayerGroup group, const FrameStorage& storage,
-                  ByteSink& sink) {
-    const PartLayers layers = group == LayerGroup::Beauty ? PartLayers{"beauty", storage.beauty, beauty_planes(pixels)}
-                                                          : PartLayers{"data", storage.data, data_planes(pixels)};
-    const Imf::Header whole = exr_header(header, pixels.width, pixels.height);
-    write_single(part_header(whole, layers, storage.quality), layers, pixels.height, sink);
 }
 
 }  // namespace overfly

@@ -1,6 +1,7 @@
 #include "io/frame_file.h"
 
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -97,7 +98,7 @@ Frame load(const std::filesystem::path& file) {
 }
 
 // Says how large the file is.
-std::uint64_t write(const std::filesystem::path& file, const StoredPixels& pixels, const FrameHeader& header,
+std::uint64_t write(const std::filesystem::path& file, const StoredChannels& pixels, const FrameHeader& header,
                     const FrameStorage& storage) {
     FileSink sink(file);
     encode_frame(pixels, header, storage, sink);
@@ -109,15 +110,15 @@ std::uint64_t write(const std::filesystem::path& file, const StoredPixels& pixel
 
 void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
                  const FrameStorage& storage) {
-    write(file, stored_pixels(frame), header, storage);
+    write(file, StoredPixels(frame).all(), header, storage);
 }
 
 FrameDigest write_digested_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
                                  const FrameStorage& storage) {
-    const StoredPixels pixels = stored_pixels(frame);
-    const std::uint64_t size_bytes = write(file, pixels, header, storage);
+    const StoredPixels pixels(frame);
+    const std::uint64_t size_bytes = write(file, pixels.all(), header, storage);
     if (is_lossy(storage.beauty)) return digest_frame(file);
-    FrameDigest digest = digest_of(channels_of(pixels));
+    FrameDigest digest = digest_of(pixels.all());
     digest.size_bytes = size_bytes;
     return digest;
 }
@@ -141,6 +142,23 @@ std::optional<std::string> frame_inputs(const std::filesystem::path& file) {
     } catch (const std::exception&) {
         return std::nullopt;
     }
+}
+
+Frame read_frame_with_layers(const std::filesystem::path& file) {
+    Frame frame = read_frame(file);
+    for (const FrameChannel& channel : read_channels(file).channels) {
+        const std::optional<Layer> layer = layer_of_channel(channel.name);
+        if (!layer) continue;
+        const LayerKind& kind = kind_of(*layer);
+        LayerChannel& own = frame.layers.emplace_back(LayerChannel{channel.name, kind.type, kind.group, {}});
+        if (channel.type == ChannelType::Uint) {
+            own.values.resize(frame.rgba.size());
+            std::memcpy(own.values.data(), channel.values.data(), channel.values.size());
+        } else {
+            own.values = numbers_of(channel);
+        }
+    }
+    return frame;
 }
 
 Frame read_frame(const std::filesystem::path& file) {

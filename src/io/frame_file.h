@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/local_time.h"
 #include "film/frame.h"
@@ -39,16 +40,22 @@ struct FrameHeader {
     Geodetic scene_origin;
     std::string software;  // "overfly 0.1.0"
     NamedDocument shot, terrain, flight;
-    std::string inputs;  // a hash of all that the pixels were made from
+    std::string inputs;                  // a hash of all that the pixels were made from
+    LayerSet layers;                     // of the frame, beside R, G, B, A and Z
+    std::vector<std::string> objects{};  // what the layers `id` and `cryptomatte` may show
+    // Where a frame's layers have files of their own (io/layer_files.h):
+    LayerSet layer_files;        // those that have one; the others are in this file
+    bool is_of_a_layer = false;  // this file is one of them: of `layers`, without R, G, B, A and Z
 };
 
-// Writes an OpenEXR file with half R, G, B, A and float Z, compressed as `storage` says, under a temporary name beside
-// `file`, and renames it into place when it is complete. Where the groups of layers are compressed differently, each is
-// a part of its own (`beauty`, `data`) with the same header: OpenEXR has one compression a part. Standard attributes
-// where there are some (framesPerSecond, expTime, shutterAngle, worldToCamera, worldToNDC, longitude, latitude,
-// altitude, ...), `overfly:` ones for the rest; "world" is the Scene frame. Throws UserError that names the file when
-// it cannot be written (no such folder, no permission, disk full); nothing is left behind. REQUIRES: colours and depths
-// are finite; storage.data is lossless. A colour beyond the range of half (65504) becomes its end.
+// Writes an OpenEXR file with half R, G, B, A, float Z and the frame's layers in their types, compressed as `storage`
+// says, under a temporary name beside `file`, and renames it into place when it is complete. Where the groups of layers
+// are compressed differently, each is a part of its own (`beauty`, `data`) with the same header: OpenEXR has one
+// compression a part. Standard attributes where there are some (framesPerSecond, expTime, shutterAngle, worldToCamera,
+// worldToNDC, longitude, latitude, altitude, ...), Cryptomatte's, `overfly:` ones for the rest; "world" is the Scene
+// frame. Throws UserError that names the file when it cannot be written (no such folder, no permission, disk full);
+// nothing is left behind. REQUIRES: all values but those of StoredAs::Uint are finite; storage.data is lossless. What
+// is stored as half and beyond its range (65504) becomes its end.
 void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
                  const FrameStorage& storage = {});
 
@@ -64,5 +71,8 @@ FrameDigest write_digested_frame(const std::filesystem::path& file, const Frame&
 
 // Reads R, G, B, A and Z back, in whichever part they are. Throws UserError.
 [[nodiscard]] Frame read_frame(const std::filesystem::path& file);
+
+// The same with all layers in the file whose channels have the names of layer_kinds(). Throws UserError.
+[[nodiscard]] Frame read_frame_with_layers(const std::filesystem::path& file);
 
 }  // namespace overfly

@@ -79,8 +79,16 @@ FrameStorage storage_of(const GroupCost& candidate) {
 class FrameBench {
   public:
     FrameBench(const Frame& frame, const WriteBenchOptions& options, const ScratchFolder& scratch)
-        : frame_(frame), pixels_(stored_pixels(frame)), options_(options), scratch_(scratch) {
+        : frame_(frame), pixels_(frame), options_(options), scratch_(scratch) {
         header_.camera.tan_half_fov = 0.5;  // as the header must have one
+    }
+
+    // Not compressed.
+    [[nodiscard]] double bytes_of(LayerGroup group) const {
+        double bytes_per_pixel = 0.0;
+        for (const StoredChannel& channel : pixels_.of(group).channels)
+            bytes_per_pixel += channel.type == ChannelType::Half ? 2.0 : 4.0;
+        return bytes_per_pixel * static_cast<double>(frame_.rgba.size());
     }
 
     [[nodiscard]] GroupCost cost(GroupCost candidate) {
@@ -111,7 +119,7 @@ class FrameBench {
   private:
     Time compress(LayerGroup group, const FrameStorage& storage) {
         sink_.clear();
-        return time_of([&] { encode_group(pixels_, header_, group, storage, sink_); });
+        return time_of([&] { encode_frame(pixels_.of(group), header_, storage, sink_); });
     }
 
     const Frame& frame_;
@@ -155,15 +163,14 @@ WriteBench bench_write(std::span<const std::filesystem::path> frames, const Writ
     for (std::size_t f = 0; f < frames.size(); ++f) {
         if (options.progress)
             options.progress("compressing frames", static_cast<double>(f), static_cast<double>(frames.size()));
-        const Frame frame = read_frame(frames[f]);
+        const Frame frame = read_frame_with_layers(frames[f]);
         if (f == 0) {
             result.width = frame.width;
             result.height = frame.height;
         }
-        const auto pixel_count = static_cast<double>(frame.rgba.size());
-        result.beauty_bytes += 4 * sizeof(std::uint16_t) * pixel_count;
-        result.data_bytes += sizeof(float) * pixel_count;
         FrameBench bench(frame, options, scratch);
+        result.beauty_bytes += bench.bytes_of(LayerGroup::Beauty);
+        result.data_bytes += bench.bytes_of(LayerGroup::Data);
         for (std::size_t c = 0; c < kCandidates.size(); ++c) add(result.costs[c], bench.cost(kCandidates[c]));
         add(result.writing, bench.writing_time());
     }

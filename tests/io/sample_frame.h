@@ -22,6 +22,21 @@ inline Frame sample_frame(int width, int height) {
     return frame;
 }
 
+// Channels of those layers, each with values of its own.
+inline void add_layers(Frame& frame, LayerSet layers) {
+    float number = 0.0F;
+    for (const LayerKind& kind : layer_kinds()) {
+        if (!layers.has(kind.layer)) continue;
+        for (const std::string_view name : kind.channels) {
+            LayerChannel& channel =
+                frame.layers.emplace_back(LayerChannel{std::string(name), kind.type, kind.group, {}});
+            number += 1.0F;
+            for (std::size_t i = 0; i < frame.rgba.size(); ++i)
+                channel.values.push_back(number + 0.001F * static_cast<float>(i));
+        }
+    }
+}
+
 // A camera that looks north and 30 degrees down from 4500 m above the scene's origin.
 inline FrameHeader sample_header() {
     const double down = std::sin(Angle::degrees(30.0).radians()), level = std::cos(Angle::degrees(30.0).radians());
