@@ -8,6 +8,7 @@
 
 #include "core/colour.h"
 #include "core/float4.h"
+#include "film/film_facts.h"
 #include "film/frame.h"
 
 namespace overfly {
@@ -24,7 +25,8 @@ class FilmFrame {
   public:
     // Whether the weights that a pixel gets in all add up to 1, or are counted so that the film is developed by them.
     enum class Weights : std::uint8_t { AddUp, AreCounted };
-    FilmFrame(int width, int height, Weights weights = Weights::AddUp);
+    FilmFrame(int width, int height, Weights weights = Weights::AddUp, const FactKinds& kinds = {},
+              const FrameSteps& steps = {});
 
     void add(std::size_t pixel, float weight, const Radiance& radiance) {
         if (!weights_.empty()) weights_[pixel] += weight;
@@ -48,12 +50,18 @@ class FilmFrame {
         if (!weights_.empty()) weights_[pixel] += weight;
         add(pixel, weighted, depth_m);
     }
-    // The exposed frame. The film is used up.
+    // What the layers are made of; nothing, unless it was asked for.
+    [[nodiscard]] FilmFacts& facts() { return facts_; }
+    [[nodiscard]] bool has_facts() const { return facts_.kinds().any(); }
+
+    // The exposed frame, without layers. The film is used up, but for its facts, which are averages from now on.
     [[nodiscard]] Frame develop() &&;
+    [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
     Frame frame_;
     std::vector<float> weights_;  // where they are counted
+    FilmFacts facts_;
 };
 
 }  // namespace overfly
