@@ -37,12 +37,14 @@ struct Channel {
 };
 
 // Daylight::through_air, `amount` being what it calls so, in metres.
-HWY_INLINE void look(const Channel& of, V amount, V towards_sun8, float* HWY_RESTRICT colour) {
+HWY_INLINE void look(const Channel& of, V amount, V towards_sun8, float* HWY_RESTRICT colour,
+                     float* HWY_RESTRICT share_left) {
     const Floats d;
     const V left = exp_of_negative(hn::Neg(hn::Mul(amount, set(of.extinction_per_m))));
     const V haze = hn::Mul(set(of.horizon), hn::Add(set(1.0F), hn::Mul(towards_sun8, set(of.glow))));
     const V seen = hn::Add(hn::Mul(hn::Load(d, colour), left), hn::Mul(haze, hn::Sub(set(1.0F), left)));
     hn::Store(seen, d, colour);
+    hn::Store(left, d, share_left);
 }
 
 }  // namespace air_views
@@ -63,9 +65,12 @@ void look_through_all(const Air& air, AirViews& views, std::size_t count) {
         const V amount = hn::Mul(hn::Mul(at_lower, mean), hn::Load(d, views.distance_m.data() + i));
         V power = hn::Max(hn::Load(d, views.towards_sun.data() + i), zero);
         for (int k = 0; k < 3; ++k) power = hn::Mul(power, power);
-        look({air.extinction_per_m.r, air.horizon.r, air.glow.r}, amount, power, views.red.data() + i);
-        look({air.extinction_per_m.g, air.horizon.g, air.glow.g}, amount, power, views.green.data() + i);
-        look({air.extinction_per_m.b, air.horizon.b, air.glow.b}, amount, power, views.blue.data() + i);
+        look({air.extinction_per_m.r, air.horizon.r, air.glow.r}, amount, power, views.red.data() + i,
+             views.red_left.data() + i);
+        look({air.extinction_per_m.g, air.horizon.g, air.glow.g}, amount, power, views.green.data() + i,
+             views.green_left.data() + i);
+        look({air.extinction_per_m.b, air.horizon.b, air.glow.b}, amount, power, views.blue.data() + i,
+             views.blue_left.data() + i);
     }
 }
 

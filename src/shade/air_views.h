@@ -29,7 +29,11 @@ struct AirViews {
     }
     [[nodiscard]] Rgb seen(std::size_t i) const { return {red[i], green[i], blue[i]}; }
 
+    // How much of what is behind the air comes through it. REQUIRES: look_through() has been.
+    [[nodiscard]] Rgb share_left(std::size_t i) const { return {red_left[i], green_left[i], blue_left[i]}; }
+
     alignas(64) Lane red{}, green{}, blue{};  // what is behind the air; afterwards what is seen
+    alignas(64) Lane red_left{}, green_left{}, blue_left{};
     alignas(64) Lane distance_m{}, from_height_m{}, to_height_m{}, towards_sun{};  // Path's
 };
 

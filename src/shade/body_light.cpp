@@ -7,12 +7,11 @@
 
 namespace overfly {
 
-Rgb matt_radiance(Rgb albedo, const Incidence& at, const Daylight& day) {
-    const double facing_sun = at.in_shadow ? 0.0 : std::max(dot(at.normal, at.to_sun), 0.0);
+MattLight matt_light(Rgb albedo, const Incidence& at, const Daylight& day) {
+    const auto facing_sun = static_cast<float>(std::max(dot(at.normal, at.to_sun), 0.0));
     // A plane sees this share of the sky over an open horizon, weighted by cosine; the rest is ground.
     const auto of_sky = static_cast<float>(0.5 * (1.0 + std::clamp(dot(at.normal, at.up), -1.0, 1.0)));
-    return albedo *
-           (static_cast<float>(facing_sun) * day.sun() + of_sky * day.sky() + (1.0F - of_sky) * ground_around(day));
+    return {albedo * (facing_sun * day.sun()), albedo * (of_sky * day.sky() + (1.0F - of_sky) * ground_around(day))};
 }
 
 double mirrored_share(double share_straight, double cos_to_normal) {

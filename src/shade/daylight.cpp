@@ -98,6 +98,11 @@ Rgb Daylight::background(Vector<Scene> direction, Vector<Scene> up) const {
 }
 
 Rgb Daylight::through_air(Rgb behind, const AirPath& path, Vector<Scene> direction) const {
+    const AirShare air = share_of_air(path, direction);
+    return behind * air.left + air.haze;
+}
+
+Daylight::AirShare Daylight::share_of_air(const AirPath& path, Vector<Scene> direction) const {
     // Mean density along the path of an atmosphere exponential in height: with a the lower and b the higher end in
     // scale heights, (e^-a - e^-b) / (b - a).
     const float a = static_cast<float>(std::min(path.from_height_m, path.to_height_m)) / air_.scale_height_m;
@@ -110,7 +115,7 @@ Rgb Daylight::through_air(Rgb behind, const AirPath& path, Vector<Scene> directi
     const Rgb depth = amount * air_.extinction_per_m;
     const Float4 left_of = fast_exp(Float4{-depth.r, -depth.g, -depth.b, 0.0F});
     const Rgb left = {left_of[0], left_of[1], left_of[2]};
-    return behind * left + horizon(direction) * Rgb{1.0F - left.r, 1.0F - left.g, 1.0F - left.b};
+    return {left, horizon(direction) * Rgb{1.0F - left.r, 1.0F - left.g, 1.0F - left.b}};
 }
 
 Vector<Scene> up_at(Point<Scene> p) { return normalized(Vector<Scene>{p.x, p.y, p.z + kEarthRadius_m}); }

@@ -34,6 +34,11 @@ class Daylight {
         double from_height_m = 0.0, to_height_m = 0.0;
     };
     [[nodiscard]] Rgb through_air(Rgb behind, const AirPath& path, Vector<Scene> direction) const;
+    // The same in parts: the share of what is behind that comes through, and the light that the air adds.
+    struct AirShare {
+        Rgb left{1.0F, 1.0F, 1.0F}, haze;
+    };
+    [[nodiscard]] AirShare share_of_air(const AirPath& path, Vector<Scene> direction) const;
     // What many such views have in common (look_through).
     [[nodiscard]] const Air& air() const { return air_; }
 

@@ -35,10 +35,10 @@ std::vector<Vector<Scene>> vertex_normals(const TerrainMesh& mesh) {
 }
 
 GroundLight light_ground(const TerrainMesh& mesh, const ColourRamp& colours, const Daylight& day,
-                         const IsBlocked& is_blocked, GroundShadows shadows, const Progress& progress) {
+                         const IsBlocked& is_blocked, const GroundLightOptions& options, const Progress& progress) {
     const std::vector<Vector<Scene>> normals = vertex_normals(mesh);
     std::vector<float> sunlit(mesh.positions.size(), 1.0F);
-    if (shadows == GroundShadows::Baked) sunlit = sun_share(mesh, day.to_sun(), is_blocked, progress);
+    if (options.shadows == GroundShadows::Baked) sunlit = sun_share(mesh, day.to_sun(), is_blocked, progress);
     const std::vector<SkyLight> sky = sky_light(mesh, normals, day, is_blocked, progress);
     const Rgb around = ground_around(day);
 
@@ -52,6 +52,10 @@ GroundLight light_ground(const TerrainMesh& mesh, const ColourRamp& colours, con
         const float stray_m = colours.stray_m > 0.0F ? colours.stray_m * patchiness(mesh.positions[v]) : 0.0F;
         const Rgb albedo = colours.at(mesh.elevation_m[v] + stray_m, slope_cos);
         light.without_sun.push_back(albedo * from_around);
+        if (options.with_parts) {
+            light.albedo.push_back(albedo);
+            light.sunlight.push_back(albedo * (facing_sun * day.sun()));
+        }
         light.radiance.push_back(albedo * ((sunlit[v] * facing_sun) * day.sun() + from_around));
     }
     return light;

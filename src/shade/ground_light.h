@@ -16,16 +16,25 @@ namespace overfly {
 struct GroundLight {
     std::vector<Rgb> radiance;     // of each vertex of the mesh
     std::vector<Rgb> without_sun;  // the same where something stands before the sun
+
+    // What they are made of, where that is asked for.
+    std::vector<Rgb> albedo;
+    std::vector<Rgb> sunlight;  // of the sun, as if nothing threw shadows
 };
 
 // Who finds the shadows that the ground casts on itself: the light of the vertices, or whoever follows the lines of
 // sight; then `radiance` is that of sunlit ground throughout.
 enum class GroundShadows { Baked, Traced };
 
+struct GroundLightOptions {
+    GroundShadows shadows = GroundShadows::Baked;
+    bool with_parts = false;
+};
+
 // Albedo, times sun (with the shadows of the terrain) plus the sky that the vertex sees, plus a first bounce from the
 // ground that hides the rest of it. The same for any number of threads.
 [[nodiscard]] GroundLight light_ground(const TerrainMesh& mesh, const ColourRamp& colours, const Daylight& day,
-                                       const IsBlocked& is_blocked, GroundShadows shadows = GroundShadows::Baked,
+                                       const IsBlocked& is_blocked, const GroundLightOptions& options = {},
                                        const Progress& progress = {});
 
 // Radiance of the ground around a place, as far as it lights what stands there: taken as level and in the sun, for

@@ -98,6 +98,8 @@ HWY_INLINE void look(const GroundRuns& runs, const LitGround::Raster& raster, Gr
     const Cells cells(raster, samples_beside(of_runs(runs.triangles.column[0], run), from_column, raster.columns),
                       samples_beside(of_runs(runs.triangles.row[0], run), from_row, raster.rows),
                       of_runs(runs.in_shadow, run));
+    hn::Store(from_column, d, nodes.from_column.data() + i);
+    hn::Store(from_row, d, nodes.from_row.data() + i);
     AirViews& views = nodes.views;
     hn::Store(cells.channel(0), d, views.red.data() + i);
     hn::Store(cells.channel(1), d, views.green.data() + i);

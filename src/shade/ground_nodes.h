@@ -19,6 +19,7 @@ struct GroundNodes {
     alignas(64) std::array<float, kSize> v{};
     // Answered: planar; 0 where the triangle turns its edge to the eye.
     alignas(64) std::array<float, kSize> depth_m{};
+    alignas(64) std::array<float, kSize> from_column{}, from_row{};  // the place in the raster, from corner 0
     // The ground's light, which is still to be seen through the air, and the way there.
     AirViews views;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shade/beside_ground.h"
 #include "shade/daylight.h"
 #include "terrain/sample_grid.h"
 
@@ -27,28 +28,13 @@ LitGround::LitGround(const TerrainMesh& full, const GroundLight& light) : far_(f
         samples_[i] = Sample{sun.r, sun.g, sun.b, height_m};
         samples_[count + i] = Sample{shade.r, shade.g, shade.b, height_m};
     }
-    fill_beside(is_known);
+    fill_beside(is_known, grid.columns, [&](std::size_t to, std::size_t from) {
+        samples_[to] = samples_[from];
+        samples_[count + to] = samples_[count + from];
+    });
     for (std::size_t i = 0; i < count; ++i) {
         if (grid.diagonal[i] == 0) continue;
         for (Sample* const sample : {&samples_[i], &samples_[count + i]}) (*sample)[3] = -(*sample)[3];
-    }
-}
-
-// Samples without ground that are beside one with ground take its light: rounding may look a little past an edge.
-void LitGround::fill_beside(const std::vector<std::uint8_t>& is_known) {
-    const auto columns = static_cast<std::size_t>(columns_);
-    const std::size_t count = is_known.size(), rows = count / columns;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (is_known[i] != 0) continue;
-        const std::size_t row = i / columns, column = i % columns;
-        for (std::size_t r = row > 0 ? row - 1 : 0; r < std::min(row + 2, rows); ++r) {
-            for (std::size_t c = column > 0 ? column - 1 : 0; c < std::min(column + 2, columns); ++c) {
-                const std::size_t beside = r * columns + c;
-                if (is_known[beside] == 0) continue;
-                samples_[i] = samples_[beside];
-                samples_[count + i] = samples_[count + beside];
-            }
-        }
     }
 }
 

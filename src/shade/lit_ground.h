@@ -34,8 +34,28 @@ class LitGround {
 
     // in_shadow: as GroundLight::without_sun. Places a rounding error outside of the mesh get what is next to them.
     [[nodiscard]] Place at(RasterPlace place, bool in_shadow) const {
-        return place_of(looked_up(samples(in_shadow), place.column, place.row));
+        return place_of(looked_up(samples(in_shadow), place));
     }
+
+    // Which samples a place lies between, and the share of each: those of the corners in either triangle of the cell.
+    struct Corners {
+        std::size_t index = 0;  // of the first; the second is the next one, the others are below them
+        float first = 1.0F, beside = 0.0F, under = 0.0F, opposite = 0.0F;
+    };
+    [[nodiscard]] Corners corners(RasterPlace place) const {
+        const int c = std::clamp(static_cast<int>(place.column), 0, columns_ - 2);
+        const int r = std::clamp(static_cast<int>(place.row), 0, rows_ - 2);
+        const auto right = std::clamp(static_cast<float>(place.column - c), 0.0F, 1.0F);
+        const auto down = std::clamp(static_cast<float>(place.row - r), 0.0F, 1.0F);
+        const std::size_t index =
+            static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
+        // right * down would make it the bilinear interpolation.
+        const float if_joined = std::max(right + down - 1.0F, 0.0F), if_not = std::min(right, down);
+        const float opposite = std::signbit(samples_[index][3]) ? if_joined : if_not;
+        const float beside = right - opposite, under = down - opposite;
+        return {index, 1.0F - right - under, beside, under, opposite};
+    }
+    [[nodiscard]] int columns() const { return columns_; }
 
     // The lowest ground, as height_over_ball_m counts.
     [[nodiscard]] double lowest_m() const { return lowest_m_; }
@@ -60,24 +80,13 @@ class LitGround {
     static Float4 without_sign(Float4 v) {
         return reinterpret_cast<Float4>(reinterpret_cast<Int4>(v) & 0x7fffffff);  // of vectors: the same bits
     }
-    [[nodiscard]] Float4 looked_up(const Sample* of, double column, double row) const {
-        const int c = std::clamp(static_cast<int>(column), 0, columns_ - 2);
-        const int r = std::clamp(static_cast<int>(row), 0, rows_ - 2);
-        const auto right = std::clamp(static_cast<float>(column - c), 0.0F, 1.0F);
-        const auto down = std::clamp(static_cast<float>(row - r), 0.0F, 1.0F);
-        const Sample* const s =
-            of + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
+    [[nodiscard]] Float4 looked_up(const Sample* of, RasterPlace place) const {
+        const Corners c = corners(place);
+        const Sample* const s = of + c.index;
         const Sample* const below = s + columns_;
-        // Shares of the corners. With this of the one opposite they are those in either triangle of the cell;
-        // right * down would make it the bilinear interpolation.
-        const float if_joined = std::max(right + down - 1.0F, 0.0F), if_not = std::min(right, down);
-        const float opposite = std::signbit((*s)[3]) ? if_joined : if_not;
-        const float beside = right - opposite, under = down - opposite, first = 1.0F - right - under;
-        return without_sign(first * *s) + without_sign(beside * s[1]) + without_sign(under * *below) +
-               without_sign(opposite * below[1]);
+        return without_sign(c.first * *s) + without_sign(c.beside * s[1]) + without_sign(c.under * *below) +
+               without_sign(c.opposite * below[1]);
     }
-
-    void fill_beside(const std::vector<std::uint8_t>& is_known);
 
     int columns_ = 0, rows_ = 0;
     std::vector<Sample> samples_;

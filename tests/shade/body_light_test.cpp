@@ -11,26 +11,20 @@ namespace {
 
 const Rgb kWhite = {1.0F, 1.0F, 1.0F};
 
-Incidence level(const Daylight& day) { return {{0, 0, 1}, day.to_sun(), {0, 0, 1}, false}; }
+Incidence level(const Daylight& day) { return {{0, 0, 1}, day.to_sun(), {0, 0, 1}}; }
 
 TEST(BodyLight, OfALevelSurfaceIsThatOfLevelGround) {
     const Daylight day{Look{}};
-    const Rgb seen = matt_radiance(kWhite, level(day), day);
-    EXPECT_NEAR(seen.g, static_cast<float>(day.to_sun().z) * day.sun().g + day.sky().g, 1e-5F);
-}
-
-TEST(BodyLight, InShadowIsTheSkysAlone) {
-    const Daylight day{Look{}};
-    Incidence at = level(day);
-    at.in_shadow = true;
-    EXPECT_NEAR(matt_radiance(kWhite, at, day).b, day.sky().b, 1e-5F);
+    const MattLight seen = matt_light(kWhite, level(day), day);
+    EXPECT_NEAR(seen.sun.g, static_cast<float>(day.to_sun().z) * day.sun().g, 1e-5F);
+    EXPECT_NEAR(seen.around.b, day.sky().b, 1e-5F);
 }
 
 TEST(BodyLight, FromBelowIsThatOfTheGround) {
     const Daylight day{Look{}};
     Incidence at = level(day);
     at.normal = {0, 0, -1};
-    EXPECT_NEAR(matt_radiance(kWhite, at, day).r, ground_around(day).r, 1e-5F);
+    EXPECT_NEAR(matt_light(kWhite, at, day).around.r, ground_around(day).r, 1e-5F);
 }
 
 TEST(BodyLight, AMirrorMirrorsAllAtGrazing) {

@@ -1,0 +1,194 @@
+#include "shot/frame_developer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "film/cryptomatte.h"
+#include "shot/pixel_tile.h"
+#include "shot/shot_facts.h"
+
+namespace overfly {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+// Less of a pixel than this shows no surface that anything could be said of: with filters that weigh some of it
+// negatively the rest may be rounding.
+constexpr float kLeastCoverage = 1e-5F;
+
+Vector<Scene> vector_of(Float4 v) { return {v[0], v[1], v[2]}; }
+double angle_deg(Vector<Scene> a, Vector<Scene> b) { return kDegrees * std::atan2(length(cross(a, b)), dot(a, b)); }
+
+// The layers of one frame, made of what lines have told.
+class LayerMaker {
+  public:
+    LayerMaker(const FilmFacts& facts, const Stage& stage, Vector<Scene> to_sun,
+               const std::vector<std::uint32_t>& object_ids, double tan_half_fov, Frame& frame)
+        : facts_(facts),
+          stage_(stage),
+          to_sun_(to_sun),
+          object_ids_(object_ids),
+          tan_half_fov_(tan_half_fov),
+          frame_(frame) {}
+
+    void add(Layer layer) {
+        switch (layer) {
+            case Layer::Range:
+                return add_channels(layer, [&](std::size_t i, std::size_t) { return range_m(i); });
+            case Layer::Mean:
+                return add_surface(layer, Quantity::Surface, 1);
+            case Layer::Coverage:
+                return add_channels(layer, [&](std::size_t i, std::size_t) { return coverage(i); });
+            case Layer::Normal:
+                return add_surface(layer, Quantity::Normal, 0);
+            case Layer::Position:
+                return add_surface(layer, Quantity::Position, 0);
+            case Layer::Motion:
+                return add_all(layer, Quantity::Motion, 0);
+            case Layer::Albedo:
+                return add_all(layer, Quantity::Albedo, 0);
+            case Layer::Direct:
+                return add_all(layer, Quantity::Direct, 0);
+            case Layer::Shadow:
+                return add_all(layer, Quantity::Shadow, 0);
+            case Layer::Sky:
+                return add_all(layer, Quantity::Sky, 0);
+            case Layer::Haze:
+                return add_all(layer, Quantity::Haze, 0);
+            case Layer::Background:
+                return add_all(layer, Quantity::Background, 0);
+            case Layer::Reflection:
+                return add_all(layer, Quantity::Reflection, 0);
+            case Layer::Longitude:
+                return add_channels(layer, [&](std::size_t i, std::size_t) { return geodetic(i, 0); });
+            case Layer::Latitude:
+                return add_channels(layer, [&](std::size_t i, std::size_t) { return geodetic(i, 1); });
+            case Layer::Elevation:
+                return add_surface(layer, Quantity::Geodetic, 2);
+            case Layer::Slope:
+                return add_channels(layer, [&](std::size_t i, std::size_t) { return slope_deg(i); });
+            case Layer::Aspect:
+                return add_channels(layer, [&](std::size_t i, std::size_t) { return aspect_deg(i); });
+            case Layer::SunIncidence:
+                return add_channels(layer, [&](std::size_t i, std::size_t) { return sun_incidence_deg(i); });
+            case Layer::Id:
+                return add_channels(layer, [&](std::size_t i, std::size_t) { return most_seen(i); });
+            case Layer::Cryptomatte:
+                return add_cryptomatte();
+            case Layer::Density:
+                return add_all(layer, Quantity::Effort, 0);
+            case Layer::Cost:
+                return add_all(layer, Quantity::Effort, 1);
+        }
+    }
+
+  private:
+    // value(pixel, which of the layer's channels)
+    template <class Value>
+    void add_channels(Layer layer, const Value& value) {
+        const LayerKind& kind = kind_of(layer);
+        for (std::size_t c = 0; c < kind.channels.size(); ++c) {
+            LayerChannel& channel = frame_.layers.emplace_back();
+            channel.name = kind.channels[c];
+            channel.type = kind.type;
+            channel.group = kind.group;
+            channel.values.resize(frame_.rgba.size());
+            for (std::size_t i = 0; i < channel.values.size(); ++i) channel.values[i] = value(i, c);
+        }
+    }
+    // The numbers of a quantity from `first` on, averaged over all of the pixel.
+    void add_all(Layer layer, Quantity q, std::size_t first) {
+        add_channels(layer, [&](std::size_t i, std::size_t c) { return facts_.value(i, q)[first + c]; });
+    }
+    // And over what of it shows a surface.
+    void add_surface(Layer layer, Quantity q, std::size_t first) {
+        add_channels(layer, [&](std::size_t i, std::size_t c) { return of_surface(i, q)[first + c]; });
+    }
+    void add_cryptomatte() {
+        const LayerKind& kind = kind_of(Layer::Cryptomatte);
+        add_channels(Layer::Cryptomatte, [](std::size_t, std::size_t) { return 0.0F; });
+        const auto channels = std::span(frame_.layers).last(kind.channels.size());
+        for (std::size_t i = 0; i < frame_.rgba.size(); ++i) {
+            const ObjectShares::Pixel ranked = facts_.objects().ranked(i);
+            for (std::size_t rank = 0; 2 * rank < channels.size(); ++rank) {
+                if (ranked[rank].object == 0 || ranked[rank].weight <= 0.0F) continue;
+                channels[2 * rank].values[i] = cryptomatte_number(object_ids_[ranked[rank].object]);
+                channels[2 * rank + 1].values[i] = ranked[rank].weight;
+            }
+        }
+    }
+
+    [[nodiscard]] float coverage(std::size_t i) const { return facts_.value(i, Quantity::Surface)[0]; }
+    [[nodiscard]] bool shows_surface(std::size_t i) const { return coverage(i) > kLeastCoverage; }
+    [[nodiscard]] Float4 of_surface(std::size_t i, Quantity q) const {
+        return shows_surface(i) ? facts_.value(i, q) / coverage(i) : Float4{};
+    }
+    // Where a pixel's middle looks: all of it is as far from the camera's axis, up to some parts in a thousand.
+    [[nodiscard]] float range_m(std::size_t i) const {
+        const float depth_m = frame_.depth_m[i];
+        if (depth_m >= Frame::kNoDepth) return Frame::kNoDepth;
+        const PictureSize size = {frame_.width, frame_.height};
+        const auto width = static_cast<std::size_t>(frame_.width);
+        const double x = size.film_x(static_cast<double>(i % width) + 0.5);
+        const double y = size.film_y(static_cast<double>(i / width) + 0.5);
+        const double across = tan_half_fov_ * std::hypot(x, y);
+        return static_cast<float>(static_cast<double>(depth_m) * std::hypot(1.0, across));
+    }
+    [[nodiscard]] float geodetic(std::size_t i, std::size_t which) const {
+        if (!shows_surface(i)) return 0.0F;
+        const Geodetic place = place_of(i);
+        return static_cast<float>((which == 0 ? place.lon : place.lat).degrees());
+    }
+    [[nodiscard]] Geodetic place_of(std::size_t i) const {
+        const Float4 v = of_surface(i, Quantity::Geodetic);
+        const Geodetic& origin = stage_.frame().origin();
+        const double lon_deg = std::remainder(origin.lon.degrees() + static_cast<double>(v[0]), 360.0);
+        return {Angle::degrees(lon_deg), Angle::degrees(origin.lat.degrees() + static_cast<double>(v[1])), v[2]};
+    }
+    [[nodiscard]] Vector<Scene> normal(std::size_t i) const { return vector_of(of_surface(i, Quantity::Normal)); }
+    [[nodiscard]] float slope_deg(std::size_t i) const {
+        if (!shows_surface(i)) return 0.0F;
+        return static_cast<float>(angle_deg(normal(i), stage_.frame().local_axes(place_of(i)).z));
+    }
+    [[nodiscard]] float aspect_deg(std::size_t i) const {
+        if (!shows_surface(i)) return 0.0F;
+        const auto axes = stage_.frame().local_axes(place_of(i));
+        const Vector<Scene> n = normal(i);
+        const double clockwise = kDegrees * std::atan2(dot(n, axes.x), dot(n, axes.y));
+        return static_cast<float>(clockwise < 0.0 ? clockwise + 360.0 : clockwise);
+    }
+    [[nodiscard]] float sun_incidence_deg(std::size_t i) const {
+        return shows_surface(i) ? static_cast<float>(angle_deg(normal(i), to_sun_)) : 0.0F;
+    }
+    [[nodiscard]] float most_seen(std::size_t i) const {
+        const ObjectShares::Share& most = facts_.objects().ranked(i).front();
+        return most.object == 0 ? 0.0F : cryptomatte_number(object_ids_[most.object]);
+    }
+
+    const FilmFacts& facts_;
+    const Stage& stage_;
+    Vector<Scene> to_sun_;
+    const std::vector<std::uint32_t>& object_ids_;
+    double tan_half_fov_;
+    Frame& frame_;
+};
+
+}  // namespace
+
+FrameDeveloper::FrameDeveloper(const ShotDocument& shot, const Stage& stage, const Daylight& day)
+    : layers_(shot.layers), stage_(&stage), to_sun_(day.to_sun()) {
+    for (const std::string& name : object_names(shot)) object_ids_.push_back(name.empty() ? 0 : cryptomatte_id(name));
+}
+
+Frame FrameDeveloper::develop(FilmFrame film, double tan_half_fov) const {
+    Frame frame = std::move(film).develop();
+    LayerMaker maker(film.facts(), *stage_, to_sun_, object_ids_, tan_half_fov, frame);
+    for (const LayerKind& kind : layer_kinds()) {
+        if (layers_.has(kind.layer)) maker.add(kind.layer);
+    }
+    return frame;
+}
+
+}  // namespace overfly

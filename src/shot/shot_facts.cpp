@@ -1,0 +1,92 @@
+#include "shot/shot_facts.h"
+
+#include <cmath>
+
+#include "shade/parallel_blocks.h"
+#include "shot/shot_motion.h"
+#include "shot/shot_sight.h"
+
+namespace overfly {
+namespace {
+
+// The frames with one more at each end.
+std::vector<PlannedFrame> with_neighbours(std::span<const PlannedFrame> frames) {
+    const auto shifted = [](PlannedFrame frame, double by_s) {
+        frame.time_s += by_s;
+        frame.exposure = {frame.exposure.begin_s + by_s, frame.exposure.end_s + by_s};
+        return frame;
+    };
+    std::vector<PlannedFrame> out = {shifted(frames.front(), -frames.front().lasts_s)};
+    out.insert(out.end(), frames.begin(), frames.end());
+    out.push_back(shifted(frames.back(), frames.back().lasts_s));
+    return out;
+}
+
+std::vector<Float4> of_each(std::size_t count, const auto& value) {
+    std::vector<Float4> out(count);
+    parallel_blocks(count, "", {}, [&](std::size_t i) { out[i] = value(i); });
+    return out;
+}
+
+Float4 four(Rgb c) { return Float4{c.r, c.g, c.b, 0.0F}; }
+
+}  // namespace
+
+Float4 geodetic_fact(const Stage& stage, Point<Scene> p) {
+    const Geodetic place = stage.frame().geodetic(p);
+    const Geodetic& origin = stage.frame().origin();
+    const double lon_deg = std::remainder(place.lon.degrees() - origin.lon.degrees(), 360.0);
+    const double sea_level_m = stage.sea_level_m(place.lon, place.lat);
+    return Float4{static_cast<float>(lon_deg), static_cast<float>(place.lat.degrees() - origin.lat.degrees()),
+                  static_cast<float>(place.height_m), static_cast<float>(place.height_m - sea_level_m)};
+}
+
+bool has_light_parts(LayerSet layers) { return layers.has_any({Layer::Albedo, Layer::Direct, Layer::Shadow}); }
+
+GroundFacts ground_facts(const ShotDocument& shot, const Stage& stage, const GroundLight& light) {
+    if (shot.layers.empty()) return {};
+    const TerrainMesh& mesh = stage.full_mesh();
+    const Quantities wanted = Quantities(shot.layers);
+    const SampleGrid grid(mesh);
+    GroundFacts facts(grid);
+    const std::size_t count = mesh.positions.size();
+    if (wanted.has(Quantity::Normal)) {
+        const std::vector<Vector<Scene>> normals = vertex_normals(mesh);
+        facts.add(GroundFacts::Kind::Normal, grid, of_each(count, [&](std::size_t v) {
+                      const Vector<Scene>& n = normals[v];
+                      return Float4{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z), 0.0F};
+                  }));
+    }
+    if (wanted.has(Quantity::Geodetic)) {
+        facts.add(GroundFacts::Kind::Geodetic, grid,
+                  of_each(count, [&](std::size_t v) { return geodetic_fact(stage, mesh.positions[v]); }));
+    }
+    if (wanted.has(Quantity::Albedo))
+        facts.add(GroundFacts::Kind::Albedo, grid, of_each(count, [&](std::size_t v) { return four(light.albedo[v]); }));
+    if (wanted.has(Quantity::Direct) || wanted.has(Quantity::Shadow))
+        facts.add(GroundFacts::Kind::Sunlight, grid, of_each(count, [&](std::size_t v) { return four(light.sunlight[v]); }));
+    return facts;
+}
+
+std::vector<std::string> object_names(const ShotDocument& shot) {
+    std::vector<std::string> names = {"", "terrain"};
+    for (const BodyDocument& body : shot.bodies) names.push_back(body.name);
+    return names;
+}
+
+ShotFacts::ShotFacts(const ShotDocument& shot, const Stage& stage, const CameraPath& path,
+                     std::span<const PlannedFrame> frames, const ShotBodies& bodies) {
+    sources_.kinds = FactKinds(shot.layers);
+    sources_.px_per_film = 0.5 * shot.image.width;
+    sources_.geodetic = [&stage](Point<Scene> p) { return geodetic_fact(stage, p); };
+    sources_.surfaces = {1};
+    for (std::size_t b = 0; b < bodies.size(); ++b) sources_.surfaces.push_back(static_cast<ObjectNumber>(2 + b));
+    if (!sources_.kinds.quantities.has(Quantity::Motion)) return;
+    ShotDocument without_mirrors = shot;
+    without_mirrors.sampling.mirror_depth = 0;
+    sight_ =
+        make_sight(without_mirrors, path, shot_motion(shot, path, with_neighbours(frames), stage), {stage, bodies, {}});
+    sources_.sight = &sight_;
+}
+
+}  // namespace overfly
