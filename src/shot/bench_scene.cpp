@@ -61,7 +61,7 @@ BenchWork middle_frame(const BenchScene& scene) {
 
 Exposed expose(const Exposing& exposing, const BenchWork& work) {
     std::vector<FilmFrame> films;
-    for (std::size_t k = 0; k < work.frames.size(); ++k) films.push_back(exposing.film());
+    for (const PlannedFrame& frame : work.frames) films.push_back(exposing.film(frame));
     TraceCounters counters;
     Exposed out;
     const double start_s = processor_seconds();

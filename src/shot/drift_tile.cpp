@@ -64,38 +64,51 @@ void DriftTile::sweep_until_good() {
     const double allowed = exposing_->tracers.error * std::sqrt(share);
     // A film that counts its weights is developed to a whole exposure.
     const float weight = exposing_->filter != nullptr ? static_cast<float>(share) : 1.0F;
-    Frame mean = sweep_apart(1);
+    const FrameSteps& steps = whole_film->facts().steps();
+    Apart mean = sweep_apart(1, steps);
     for (int lines = 1; lines < kMostLines; lines *= 2) {
-        const Frame other = sweep_apart(lines);
-        const double error = 0.5 * root_mean_square(mean, other);
-        for (std::size_t i = 0; i < mean.rgba.size(); ++i) {
-            for (std::size_t c = 0; c < 4; ++c) mean.rgba[i][c] = 0.5F * (mean.rgba[i][c] + other.rgba[i][c]);
-            mean.depth_m[i] = std::min(mean.depth_m[i], other.depth_m[i]);
-        }
+        const Apart other = sweep_apart(lines, steps);
+        const double error = 0.5 * root_mean_square(mean.frame, other.frame);
+        mean.join(other);
         if (error <= allowed) break;
     }
-    const int width = view_->pattern.size.width;
-    for (int y = 0; y < mean.height; ++y) {
-        for (int x = 0; x < mean.width; ++x) {
-            const std::size_t i = mean.index(x, y);
-            const auto& [r, g, b, a] = mean.rgba[i];
-            whole_film->add(static_cast<std::size_t>(tile_.top + y) * static_cast<std::size_t>(width) +
-                                static_cast<std::size_t>(tile_.left + x),
-                            weight, {{r, g, b}, a, mean.depth_m[i]});
+    add(mean, weight, *whole_film);
+}
+
+void DriftTile::Apart::join(const Apart& other) {
+    for (std::size_t i = 0; i < frame.rgba.size(); ++i) {
+        for (std::size_t c = 0; c < 4; ++c) frame.rgba[i][c] = 0.5F * (frame.rgba[i][c] + other.frame.rgba[i][c]);
+        frame.depth_m[i] = std::min(frame.depth_m[i], other.frame.depth_m[i]);
+    }
+    facts.join(other.facts);
+}
+
+void DriftTile::add(const Apart& apart, float weight, FilmFrame& film) const {
+    const Frame& frame = apart.frame;
+    const auto width = static_cast<std::size_t>(view_->pattern.size.width);
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x) {
+            const std::size_t i = frame.index(x, y);
+            const std::size_t pixel =
+                static_cast<std::size_t>(tile_.top + y) * width + static_cast<std::size_t>(tile_.left + x);
+            const auto& [r, g, b, a] = frame.rgba[i];
+            film.add(pixel, weight, {{r, g, b}, a, frame.depth_m[i]});
+            if (film.has_facts()) film.facts().add_from(apart.facts, i, pixel, weight);
         }
     }
 }
 
 // A picture of the tile alone, by lines that no other has been made of.
-Frame DriftTile::sweep_apart(int lines) {
-    FilmFrame film = exposing_->film_of(pixels_.width(), pixels_.height());
+DriftTile::Apart DriftTile::sweep_apart(int lines, const FrameSteps& steps) {
+    FilmFrame film = exposing_->film_of(pixels_.width(), pixels_.height(), steps);
     film_ = &film;
     pixels_.set_film(tile_.left, tile_.top, pixels_.width());
     pixels_.set_lines(lines);
     pattern_.per_pixel = lines;
     ++pattern_.set;
     sweep();
-    return std::move(film).develop();
+    Frame frame = std::move(film).develop();
+    return {std::move(frame), std::move(film.facts())};
 }
 
 // REQUIRES: open is a part of the exposure.
@@ -106,8 +119,8 @@ void DriftTile::follow(const HomeRange& homes, TimeRange open) {
     for (const DriftingLine& line : lines_) samples_.push_back(sample_of(pattern_, line, shift_px));
     SurfaceSegmentLists lists;
     view_->tracer.trace(view_->prepared, samples_, {&open, 1}, lists, *counters_);
-    LineDeposits lines(exposing_->shader, view_->camera(), {&film_, 1});
-    LightDeposits looks(exposing_->shader, view_->camera(), {&film_, 1});
+    LineDeposits lines(exposing_->shader, view_->camera(), {&film_, 1}, pattern_.per_pixel);
+    LightDeposits looks(exposing_->shader, view_->camera(), {&film_, 1}, pattern_.per_pixel);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const DriftingLine& line = lines_[i];
         const TimeRange near = intersection(open, pixels_.time_near(line.home_px, line.home_px));

@@ -57,7 +57,7 @@ class TileExposure {
         // First all that is seen of the ground, then all else, so that a pixel's light adds up in the same order
         // whichever frames are exposed.
         follow_ground(lines, lists);
-        LightDeposits looks(exposing_->shader, *piece_, films_);
+        LightDeposits looks(exposing_->shader, *piece_, films_, exposing_->tracers.lines);
         for_each_exposure_of(lines, [&](std::size_t i, std::uint32_t e) {
             const double weight = weight_of(lines, i) / exposing_->tracers.lines;
             const Exposure exposure = exposing_->exposure(exposures_[e]);
@@ -74,7 +74,7 @@ class TileExposure {
     }
 
     void follow_ground(const TileSamples& lines, const SurfaceSegmentLists& lists) const {
-        LineDeposits deposits(exposing_->shader, *piece_, films_);
+        LineDeposits deposits(exposing_->shader, *piece_, films_, exposing_->tracers.lines);
         RunWeighing weighing(exposing_->curve, exposing_->filter);
         for_each_exposure_of(lines, [&](std::size_t i, std::uint32_t e) {
             const double weight = weight_of(lines, i) / exposing_->tracers.lines;
@@ -135,7 +135,7 @@ class TileExposure {
                 TraceCounters& counters) const {
         SurfaceSegmentLists lists;
         exposing_->tracers.discrete->trace(prepared_samples_, tiled.samples, sampled, lists, counters);
-        LightDeposits deposits(exposing_->shader, *piece_, films_);
+        LightDeposits deposits(exposing_->shader, *piece_, films_, exposing_->tracers.samples);
         const double weight = 1.0 / exposing_->tracers.samples;
         for (std::size_t i = 0; i < tiled.samples.size(); ++i) {
             const ImageSample& sample = tiled.samples[i];
@@ -200,6 +200,14 @@ void expose_drifting(const Exposing& exposing, const MotionPiece& piece, std::sp
 }
 
 }  // namespace
+
+FrameSteps Exposing::steps_of(const PlannedFrame& frame) const {
+    FrameSteps steps = {frame.lasts_s, frame.lasts_s, {}};
+    const auto found = std::ranges::find(planned, frame.number, &PlannedFrame::number);
+    if (found != planned.end() && found != planned.begin()) steps.previous_s = std::prev(found)->lasts_s;
+    if (frame.exposure.duration_s() == 0.0) steps.instant_s = frame.exposure.begin_s;
+    return steps;
+}
 
 bool is_exposed_in(const PlannedFrame& frame, const MotionPiece& piece) {
     if (frame.exposure.duration_s() == 0.0) {

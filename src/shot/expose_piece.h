@@ -11,6 +11,7 @@
 #include "flight/motion.h"
 #include "shot/frame_plan.h"
 #include "shot/interrupted.h"
+#include "shot/look_facts.h"
 #include "shot/pixel_tile.h"
 #include "shot/scene_shader.h"
 #include "shot/tile_choice.h"
@@ -35,18 +36,22 @@ struct Exposing {
 
     [[nodiscard]] Exposure exposure(TimeRange when) const { return {when, curve}; }
     [[nodiscard]] double margin_px() const { return filter != nullptr ? filter->margin_px() : 0.0; }
-    [[nodiscard]] FilmFrame film() const { return film_of(size.width, size.height); }
-    // With room for the weights of this filter.
-    [[nodiscard]] FilmFrame film_of(int width, int height) const {
-        return {width, height, filter != nullptr ? FilmFrame::Weights::AreCounted : FilmFrame::Weights::AddUp};
+    [[nodiscard]] FilmFrame film(const PlannedFrame& frame) const {
+        return film_of(size.width, size.height, steps_of(frame));
     }
+    // With room for the weights of this filter, and for what the shader's layers are told.
+    [[nodiscard]] FilmFrame film_of(int width, int height, const FrameSteps& steps) const {
+        return {width, height, filter != nullptr ? FilmFrame::Weights::AreCounted : FilmFrame::Weights::AddUp,
+                shader.facts() != nullptr ? shader.facts()->kinds : FactKinds(), steps};
+    }
+    [[nodiscard]] FrameSteps steps_of(const PlannedFrame& frame) const;
 };
 
 // Told after each tile of a piece: which share of it is done.
 using PieceProgress = std::function<void(double share)>;
 
 // Traces one piece of the flight and adds what is seen to the frames that are exposed meanwhile.
-// frames and films go together, films are exposing.film(); frames are among the planned, in time order and without
+// frames and films go together, films are exposing.film(frame); frames are among the planned, in time order and without
 // overlap. Throws Interrupted when asked to stop.
 // GUARANTEES: a film's pixels are the same to the bit whichever other frames are exposed with it, in whatever tile
 // order.

@@ -7,6 +7,7 @@
 
 #include "film/film_frame.h"
 #include "shade/air_views.h"
+#include "shot/fact_deposits.h"
 #include "shot/many_looks.h"
 
 namespace overfly {
@@ -15,9 +16,9 @@ namespace overfly {
 // order in which it came.
 class LightDeposits {
   public:
-    // All must outlive it. camera: SceneShader::radiance's.
-    LightDeposits(const SceneShader& shader, const MotionPiece& camera, std::span<FilmFrame* const> films)
-        : many_(shader, camera), films_(films) {}
+    // All must outlive it. camera: SceneShader::radiance's. lines: of sight, or samples, for each pixel.
+    LightDeposits(const SceneShader& shader, const MotionPiece& camera, std::span<FilmFrame* const> films, int lines)
+        : many_(shader, camera), films_(films), facts_(shader, camera, films, lines) {}
     ~LightDeposits() { flush(); }
     LightDeposits(const LightDeposits&) = delete;
     LightDeposits& operator=(const LightDeposits&) = delete;
@@ -44,6 +45,7 @@ class LightDeposits {
             if (!p.with_depth) found.depth_m = Frame::kNoDepth;
             films_[p.film]->add(p.pixel, p.weight, found);
         }
+        if (facts_.wanted()) tell();
         whither_.clear();
         count_ = 0;
     }
@@ -56,8 +58,24 @@ class LightDeposits {
         bool with_depth = true;
     };
 
+    void tell() {
+        std::size_t told_look = kSize, told_film = 0;
+        Told told{};
+        ObjectNumber object = 0;
+        for (const Place& p : whither_) {
+            if (p.look != told_look || p.film != told_film) {
+                told = facts_.facts().of(looks_[p.look], films_[p.film]->facts().steps());
+                object = facts_.facts().object_of(looks_[p.look]);
+                told_look = p.look;
+                told_film = p.film;
+            }
+            facts_.deposit(told, object, p.film, p.pixel, p.weight);
+        }
+    }
+
     ManyLooks many_;
     std::span<FilmFrame* const> films_;
+    FactDeposits facts_;
     std::size_t count_ = 0;
     std::array<SceneShader::Look, kSize> looks_{};
     std::vector<Place> whither_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "shot/chain_integral.h"
+
 namespace overfly {
 namespace {
 
@@ -22,33 +24,6 @@ int pieces_of(float cells) {
     const float wanted = std::ceil(std::min(kPiecesPerCell * cells, kPiecesAtFirst + cells));
     return wanted > 1.0F ? static_cast<int>(std::min(wanted, kMostPieces)) : 1;
 }
-
-// The integral of a chain of straight pieces from its begin on, for ever later ends.
-class ChainIntegral {
-  public:
-    ChainIntegral(const Float4* nodes, int pieces) : from_(nodes), last_(nodes + pieces - 1) {}
-
-    struct Until {
-        Float4 sum;    // each piece being of unit length
-        Float4 value;  // there
-    };
-    // t: in pieces.
-    Until operator()(float t) {
-        while (t - whole_ > 1.0F && from_ < last_) {
-            before_ += 0.5F * (from_[0] + from_[1]);
-            whole_ += 1.0F;
-            ++from_;
-        }
-        const float rest = t - whole_;
-        const Float4 value = from_[0] + rest * (from_[1] - from_[0]);
-        return {before_ + (0.5F * rest) * (from_[0] + value), value};
-    }
-
-  private:
-    const Float4 *from_, *last_;
-    Float4 before_{};
-    float whole_ = 0.0F;
-};
 
 }  // namespace
 
@@ -70,32 +45,46 @@ void LineDeposits::add_ground(const SceneShader::Sighting& sighting, TimeRange w
     if (++count_ == GroundRuns::kSize) flush();
 }
 
-bool LineDeposits::add_sky(const SceneShader::Sighting& sighting, TimeRange when, const PixelRun& to) const {
+bool LineDeposits::add_sky(const SceneShader::Sighting& sighting, TimeRange when, const PixelRun& to) {
     const int pieces = std::min((to.count + kPixelsPerSkyPiece - 1) / kPixelsPerSkyPiece, kMostSkyPieces);
     std::array<Float4, kMostSkyPieces + 1> nodes;
     float alpha = 1.0F;
     std::optional<bool> is_ground;
+    const auto time_at = [&](int i) { return when.begin_s + when.duration_s() * i / pieces; };
     for (int i = 0; i <= pieces; ++i) {
-        const double time_s = when.begin_s + when.duration_s() * i / pieces;
-        const SceneShader::Behind behind = shader_->behind_air(*camera_, {sighting, time_s});
+        const SceneShader::Behind behind = shader_->behind_air(*camera_, {sighting, time_at(i)});
         if (is_ground.value_or(behind.air.has_value()) != behind.air.has_value()) return false;
         is_ground = behind.air.has_value();
         const Radiance seen = shader_->through_air(behind);
         nodes[static_cast<std::size_t>(i)] = Float4{seen.colour.r, seen.colour.g, seen.colour.b, seen.depth_m};
         alpha = seen.alpha;
     }
-    deposit(std::span(nodes).first(static_cast<std::size_t>(pieces) + 1), alpha, to);
+    const std::size_t count = static_cast<std::size_t>(pieces) + 1;
+    deposit(std::span(nodes).first(count), alpha, to);
+    if (facts_.wanted()) add_sky_facts(sighting, when, pieces, to);
     return true;
+}
+
+void LineDeposits::add_sky_facts(const SceneShader::Sighting& sighting, TimeRange when, int pieces,
+                                 const PixelRun& to) {
+    for (int i = 0; i <= pieces; ++i) sky_facts_.tell({sighting, when.begin_s + when.duration_s() * i / pieces}, to);
+    sky_facts_.deposit(0, static_cast<std::size_t>(pieces) + 1, to);
+    sky_facts_.forget();
 }
 
 void LineDeposits::flush() {
     follow_ground(*camera_, shader_->daylight_->to_sun(), shader_->lowest_m_, runs_, count_);
     nodes_.clear();
+    facts_.forget();
     for (std::size_t k = 0; k < count_; ++k) ask_nodes(k);
     look();
     first_node_[count_] = static_cast<std::uint32_t>(nodes_.size());
-    for (std::size_t k = 0; k < count_; ++k)
-        deposit(std::span(nodes_).subspan(first_node_[k], first_node_[k + 1] - first_node_[k]), 1.0F, to_[k]);
+    for (std::size_t k = 0; k < count_; ++k) {
+        const std::size_t count = first_node_[k + 1] - first_node_[k];
+        deposit(std::span(nodes_).subspan(first_node_[k], count), 1.0F, to_[k]);
+        if (facts_.wanted()) facts_.deposit(first_node_[k], count, to_[k]);
+    }
+    facts_.forget();
     count_ = 0;
 }
 
@@ -113,7 +102,9 @@ void LineDeposits::ask_nodes(std::size_t run) {
 // At those that were asked.
 void LineDeposits::look() {
     look_at_ground(runs_, *shader_->light_, asked_, asked_count_);
+    if (facts_.wanted()) facts_.keep_behind(asked_, asked_count_);
     look_through(shader_->daylight_->air(), asked_.views, asked_count_);
+    if (facts_.wanted()) facts_.tell(runs_, asked_, asked_count_, to_);
     for (std::size_t i = 0; i < asked_count_; ++i) {
         const Rgb seen = asked_.views.seen(i);
         const float depth_m = asked_.depth_m[i];
@@ -133,21 +124,16 @@ void LineDeposits::deposit_evenly(std::span<const Float4> nodes, float alpha, co
     const int pieces = static_cast<int>(nodes.size()) - 1;
     ChainIntegral chain(nodes.data(), pieces);
     const auto weight = static_cast<float>(to.weight), per_piece = weight / static_cast<float>(pieces);
-    float reached = 0.0F;
     Float4 sum{};
     float depth_m = nodes.front()[3];
-    for (int i = 0; i < to.count; ++i) {
-        const bool is_last = i + 1 == to.count;
-        const float end = is_last ? 1.0F : static_cast<float>(to.first_end + i * to.v_per_pixel);
-        if (end <= reached) continue;
+    for_each_pixel(to, [&](std::uint32_t pixel, float begin, float end) {
         const auto until = chain(end * static_cast<float>(pieces));
         Float4 light = per_piece * (until.sum - sum);
-        light[3] = alpha * weight * (end - reached);
-        film.add(to.first + static_cast<std::uint32_t>(i * to.stride), light, std::min(depth_m, until.value[3]));
-        reached = end;
+        light[3] = alpha * weight * (end - begin);
+        film.add(pixel, light, std::min(depth_m, until.value[3]));
         sum = until.sum;
         depth_m = until.value[3];
-    }
+    });
 }
 
 void LineDeposits::deposit_shares(std::span<const Float4> nodes, float alpha, const PixelRun& to) const {

@@ -13,6 +13,7 @@
 #include "io/temporary_file.h"
 #include "shot/expose_piece.h"
 #include "shot/flight_notes.h"
+#include "shot/frame_developer.h"
 #include "shot/frame_headers.h"
 #include "shot/frames_on_disk.h"
 #include "shot/input_files.h"
@@ -20,6 +21,7 @@
 #include "shot/previews.h"
 #include "shot/scene_light.h"
 #include "shot/sequence_manifest.h"
+#include "shot/shot_facts.h"
 #include "shot/shot_inputs.h"
 #include "shot/shot_motion.h"
 #include "shot/shot_sight.h"
@@ -49,15 +51,17 @@ struct Rendering {
 // closed.
 class FrameLoop {
   public:
-    FrameLoop(Rendering& rendering, const Motion& motion, const FrameHeaders& headers, SequenceManifest& manifest)
-        : rendering_(&rendering), motion_(&motion), headers_(&headers), manifest_(&manifest) {}
+    FrameLoop(Rendering& rendering, const Motion& motion, const FrameHeaders& headers, const FrameDeveloper& developer,
+              SequenceManifest& manifest)
+        : rendering_(&rendering), motion_(&motion), headers_(&headers), developer_(&developer), manifest_(&manifest) {}
 
     void run(const Exposing& exposing, std::span<const PlannedFrame> frames) {
         total_ = static_cast<double>(frames.size());
         std::size_t next = 0;  // the first frame whose shutter has not opened yet
         for (const MotionPiece& piece : motion_->pieces) {
             while (next < frames.size() && is_exposed_in(frames[next], piece)) {
-                open_.push_back({frames[next++], exposing.film()});
+                open_.push_back({frames[next], exposing.film(frames[next])});
+                ++next;
             }
             if (open_.empty()) continue;
             expose(exposing, piece);
@@ -114,9 +118,10 @@ class FrameLoop {
         open_.erase(open_.begin(), still_open);
         std::vector<ManifestFrame> listed(closed.size());
         parallel_for(closed.size(), [&](std::size_t i) {
-            const FrameDigest digest =
-                write_digested_frame(closed[i].frame.file, std::move(closed[i].film).develop(),
-                                     headers_->of(closed[i].frame), rendering_->shot.output.storage);
+            const FrameHeader header = headers_->of(closed[i].frame);
+            const FrameDigest digest = write_digested_frame(
+                closed[i].frame.file, developer_->develop(std::move(closed[i].film), header.camera.tan_half_fov),
+                header, rendering_->shot.output.storage);
             listed[i] = manifest_frame(closed[i].frame, digest, closed[i].render_s);
         });
         for (ManifestFrame& frame : listed) manifest_->add(std::move(frame));
@@ -129,6 +134,7 @@ class FrameLoop {
     Rendering* rendering_;
     const Motion* motion_;
     const FrameHeaders* headers_;
+    const FrameDeveloper* developer_;
     SequenceManifest* manifest_;
     std::vector<OpenFrame> open_;
     double done_ = 0.0, total_ = 0.0;
@@ -147,6 +153,7 @@ std::vector<PlannedFrame> frames_to_render(Rendering& rendering, const std::vect
 // Everything that a shot is rendered from, ready.
 struct Scenery {
     Stage& stage;
+    const CameraPath& path;
     const std::vector<PlannedFrame>& planned;  // all of the shot
     const ShotBodies& bodies;
     const Daylight& daylight;
@@ -165,9 +172,13 @@ void render_frames(Rendering& rendering, const Scenery& scenery, const std::vect
     const ShotDocument& shot = rendering.shot;
     const Stopwatch watch;
     const SceneLight light(shot, scenery.stage, scenery.daylight, rendering.options.progress);
+    ShotFacts facts(shot, scenery.stage, scenery.path, scenery.planned, scenery.bodies);
+    facts.set_ground(light.facts());
     rendering.result.light_s = watch.seconds();
     scenery.stage.drop_full_mesh();
-    const SceneShader shader = light.shader(scenery.bodies);
+    SceneShader shader = light.shader(scenery.bodies);
+    if (!shot.layers.empty()) shader.set_facts(&facts.sources());
+    const FrameDeveloper developer(shot, scenery.stage, scenery.daylight);
     const ShotTracers tracers(shot, scenery.stage, scenery.bodies, scenery.sight, rendering.options.check_every);
     const Exposing exposing = {tracers.pair(),
                                shader,
@@ -178,7 +189,7 @@ void render_frames(Rendering& rendering, const Scenery& scenery, const std::vect
                                shot.shutter.curve,
                                tracers.filter()};
     manifest.save();  // without the frames that are about to be replaced
-    FrameLoop(rendering, scenery.sight.motions.front(), headers, manifest).run(exposing, frames);
+    FrameLoop(rendering, scenery.sight.motions.front(), headers, developer, manifest).run(exposing, frames);
 }
 
 std::vector<PlannedFrame> chosen(const std::vector<PlannedFrame>& frames, const std::string& choice) {
@@ -241,7 +252,7 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
         subjects.motion_error_px = result.motion_error_px;
         manifest.describe(describe_sequence(subjects));
         const FrameHeaders headers(shot, stage, path, inputs, files);
-        render_frames(rendering, {stage, frames, bodies, daylight, sight}, missing, headers, manifest);
+        render_frames(rendering, {stage, path, frames, bodies, daylight, sight}, missing, headers, manifest);
     } else if (manifest.is_changed()) {
         manifest.describe(describe_sequence(subjects));
         manifest.save();

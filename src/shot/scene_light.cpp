@@ -4,6 +4,7 @@
 
 #include "io/colour_relief_file.h"
 #include "shade/hypsometric.h"
+#include "shot/shot_facts.h"
 
 namespace overfly {
 namespace {
@@ -21,13 +22,21 @@ GroundLight ground_light(const ShotDocument& shot, const Stage& stage, const Day
         return stage.full_rays().is_blocked(from, direction);
     };
     const auto shadows = shot.look.sun_shadows == SunShadows::Baked ? GroundShadows::Baked : GroundShadows::Traced;
-    return light_ground(stage.full_mesh(), colours_of(shot, stage), day, is_blocked, shadows, progress);
+    return light_ground(stage.full_mesh(), colours_of(shot, stage), day, is_blocked,
+                        {shadows, has_light_parts(shot.layers)}, progress);
 }
 
 }  // namespace
 
 SceneLight::SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress)
-    : shot_(&shot), stage_(&stage), day_(&day), ground_(stage.full_mesh(), ground_light(shot, stage, day, progress)) {}
+    : SceneLight(shot, stage, day, ground_light(shot, stage, day, progress)) {}
+
+SceneLight::SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const GroundLight& light)
+    : shot_(&shot),
+      stage_(&stage),
+      day_(&day),
+      ground_(stage.full_mesh(), light),
+      facts_(ground_facts(shot, stage, light)) {}
 
 SceneShader SceneLight::shader(const ShotBodies& bodies) const {
     std::vector<ShadedBody> shaded;

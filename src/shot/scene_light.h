@@ -2,6 +2,8 @@
 
 #include "config/documents.h"
 #include "core/progress.h"
+#include "shade/ground_facts.h"
+#include "shade/ground_light.h"
 #include "shot/scene_shader.h"
 #include "shot/shot_body.h"
 #include "shot/stage.h"
@@ -15,12 +17,17 @@ class SceneLight {
     SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress);
 
     [[nodiscard]] SceneShader shader(const ShotBodies& bodies) const;
+    // For the layers of the shot.
+    [[nodiscard]] const GroundFacts& facts() const { return facts_; }
 
   private:
+    SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const GroundLight& light);
+
     const ShotDocument* shot_;
     const Stage* stage_;
     const Daylight* day_;
     LitGround ground_;
+    GroundFacts facts_;
 };
 
 }  // namespace overfly

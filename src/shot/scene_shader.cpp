@@ -58,41 +58,66 @@ SceneShader::Behind SceneShader::beyond(const Ray& ray) const {
     return {{daylight_->background(ray.direction, up_at(from)), 1.0F, Frame::kNoDepth}, {}, ray.direction};
 }
 
+GroundTriangle SceneShader::ground_triangle(const Sighting& sighting) const {
+    const auto& ids = mesh_->triangles[sighting.seen->triangle];
+    return {corner(ids[0]), corner(ids[1]), corner(ids[2])};
+}
+
+// By the piece's own direction, as meet_ground has it: the ray's, of unit length, differs from it by a rounding.
+GroundTriangle::Hit SceneShader::ground_hit(const MotionPiece& scene, const Sighting& sighting, double time_s,
+                                            const GroundTriangle& triangle) const {
+    const double u = scene.u_at(time_s);
+    return triangle.hit(scene, u, scene.direction_at(u, sighting.x, sighting.y));
+}
+
 SceneShader::Behind SceneShader::ground(const MotionPiece& scene, const Sighting& sighting, double time_s,
                                         const Ray& ray) const {
-    const auto& ids = mesh_->triangles[sighting.seen->triangle];
-    const GroundTriangle triangle(corner(ids[0]), corner(ids[1]), corner(ids[2]));
-    // By the piece's own direction, as meet_ground has it: the ray's, of unit length, differs from it by a rounding.
-    const double u = scene.u_at(time_s);
-    const GroundTriangle::Hit hit = triangle.hit(scene, u, scene.direction_at(u, sighting.x, sighting.y));
+    const GroundTriangle triangle = ground_triangle(sighting);
+    const GroundTriangle::Hit hit = ground_hit(scene, sighting, time_s, triangle);
     const LitGround::Place place = light_->at(triangle.place(hit), sighting.seen->in_shadow);
     const Daylight::AirPath air = {hit.depth_m * ray.metres_per_depth - ray.from_m, ray.from_height_m, place.height_m};
     return {{place.radiance, 1.0F, static_cast<float>(hit.depth_m)}, air, ray.direction};
 }
 
-SceneShader::Behind SceneShader::body(const MotionPiece& scene, const Sighting& sighting, double time_s,
-                                      const Ray& ray) const {
+SceneShader::BodyPoint SceneShader::body_point(const MotionPiece& scene, const Sighting& sighting, double time_s,
+                                               const Ray& ray) const {
     const SurfaceSegment& seen = *sighting.seen;
     const ShadedBody& body = bodies_[seen.surface - 1];
     const PlaneDepth plane(*body.mesh, seen.triangle, *seen.motion, sighting.x, sighting.y);
-    const double depth_m = plane.at(seen.motion->u_at(time_s));
+    BodyPoint out;
+    const double u = seen.motion->u_at(time_s);
+    out.depth_m = plane.at(u);
+    const double distance_m = out.depth_m * ray.metres_per_depth;
+    out.at = ray.origin + distance_m * ray.direction;
+    out.own = seen.motion->origin_at(u) + out.depth_m * seen.motion->direction_at(u, sighting.x, sighting.y);
     const auto& corner = body.mesh->triangles[seen.triangle];
     const Point<Scene> p0 = body.mesh->positions[corner[0]];
-    const Point<Scene> hit = ray.origin + depth_m * ray.metres_per_depth * ray.direction;
     const CarriedOver own(scene, *seen.motion, time_s);
     const Vector<Scene> direction = own(ray.direction);
     Incidence at = {normalized(cross(body.mesh->positions[corner[1]] - p0, body.mesh->positions[corner[2]] - p0)),
-                    own(daylight_->to_sun()), own(up_at(hit)), seen.in_shadow};
+                    own(daylight_->to_sun()), own(up_at(out.at))};
     if (dot(at.normal, direction) > 0.0) at.normal = -at.normal;
-    Rgb light = matt_radiance(body.look.colour, at, *daylight_);
-    const double distance_m = depth_m * ray.metres_per_depth;
+    out.normal = CarriedOver(*seen.motion, scene, time_s)(at.normal);
+    MattLight light = matt_light(body.look.colour, at, *daylight_);
+    out.parts.albedo = body.look.colour;
     if (seen.reflected != kNone) {
         const auto share = static_cast<float>(mirrored_share(body.look.mirror, -dot(at.normal, direction)));
         const Sighting further = {sighting.x, sighting.y, &sighting.reflected[seen.reflected], sighting.reflected};
-        light = (1.0F - share) * light + share * in_mirror(further, time_s, distance_m);
+        light = {(1.0F - share) * light.sun, (1.0F - share) * light.around};
+        out.parts.reflection = share * in_mirror(further, time_s, distance_m);
     }
-    const Daylight::AirPath air = {distance_m - ray.from_m, ray.from_height_m, height_over_ball_m(hit) - lowest_m_};
-    return {{light, 1.0F, static_cast<float>(depth_m)}, air, ray.direction};
+    out.parts.direct = light.sun;
+    if (seen.in_shadow) out.parts.shadow = -1.0F * light.sun;
+    out.parts.sky = light.around;
+    return out;
+}
+
+SceneShader::Behind SceneShader::body(const MotionPiece& scene, const Sighting& sighting, double time_s,
+                                      const Ray& ray) const {
+    const BodyPoint hit = body_point(scene, sighting, time_s, ray);
+    const Daylight::AirPath air = {hit.depth_m * ray.metres_per_depth - ray.from_m, ray.from_height_m,
+                                   height_over_ball_m(hit.at) - lowest_m_};
+    return {{hit.parts.sum(), 1.0F, static_cast<float>(hit.depth_m)}, air, ray.direction};
 }
 
 // What comes along the ray behind a mirror that is from_m away.
@@ -118,6 +143,37 @@ SceneShader::Behind SceneShader::behind_air(const MotionPiece& camera, const Loo
 Radiance SceneShader::through_air(const Behind& behind) const {
     Radiance out = behind.radiance;
     if (behind.air) out.colour = daylight_->through_air(out.colour, *behind.air, behind.direction);
+    return out;
+}
+
+SceneShader::Described SceneShader::describe(const MotionPiece& camera, const Look& look) const {
+    const Sighting& sighting = look.sighting;
+    const Ray ray = ray_of(camera, sighting, camera.u_at(look.time_s));
+    const Behind behind = behind_air(camera, look);
+    Described out;
+    out.direction = behind.direction;
+    out.behind = behind.radiance.colour;
+    if (behind.air) {
+        const Daylight::AirShare air = daylight_->share_of_air(*behind.air, behind.direction);
+        out.left = air.left;
+        out.haze = air.haze;
+        out.distance_m = behind.air->distance_m;
+    }
+    out.is_surface = sighting.seen != nullptr && sighting.seen->triangle != kNone;
+    if (!out.is_surface) return out;
+    if (sighting.is_of_ground()) {
+        const GroundTriangle triangle = ground_triangle(sighting);
+        const GroundTriangle::Hit hit = ground_hit(camera, sighting, look.time_s, triangle);
+        out.depth_m = hit.depth_m;
+        out.place = triangle.place(hit);
+        return out;
+    }
+    const BodyPoint hit = body_point(camera, sighting, look.time_s, ray);
+    out.depth_m = hit.depth_m;
+    out.at = hit.at;
+    out.own = hit.own;
+    out.normal = hit.normal;
+    out.parts = hit.parts;
     return out;
 }
 

@@ -16,6 +16,8 @@
 
 namespace overfly {
 
+struct FactSources;
+
 // What a body in motion looks like, and of what shape it is.
 struct ShadedBody {
     const TriangleMesh* mesh = nullptr;
@@ -48,6 +50,34 @@ class SceneShader {
     // camera: the piece of the rays relative to the scene that the times lie in.
     [[nodiscard]] Radiance radiance(const MotionPiece& camera, const Look& look) const;
 
+    // Light of a surface in parts, which add up to it; but for albedo, the share that it reflects.
+    struct Parts {
+        Rgb albedo;
+        Rgb direct, shadow;  // of the sun if nothing stood before it; and what is missing of that, not above 0
+        Rgb sky;             // of all that is around
+        Rgb reflection;      // what it mirrors
+        [[nodiscard]] Rgb sum() const { return direct + shadow + sky + reflection; }
+    };
+    // What a look meets. Of the ground its place in the raster tells all the rest.
+    struct Described {
+        bool is_surface = false;  // ground of the data, or a body
+        Vector<Scene> direction;  // of the ray, of unit length
+        double depth_m = 0.0, distance_m = 0.0;
+        Point<Scene> at, own;  // in the scene, and in the frame of the body
+        Vector<Scene> normal;
+        Parts parts;
+        Rgb behind;  // the air, of which `left` comes through
+        Rgb left{1.0F, 1.0F, 1.0F}, haze;
+        std::optional<RasterPlace> place;
+    };
+    [[nodiscard]] Described describe(const MotionPiece& camera, const Look& look) const;
+
+    [[nodiscard]] const LitGround& ground_light() const { return *light_; }
+    // What layers are told from; nullptr: there are none.
+    [[nodiscard]] const FactSources* facts() const { return facts_; }
+    // Must outlive it.
+    void set_facts(const FactSources* facts) { facts_ = facts; }
+
   private:
     friend class ManyLooks;
     friend class LineDeposits;
@@ -66,17 +96,30 @@ class SceneShader {
         std::optional<Daylight::AirPath> air;
         Vector<Scene> direction;
     };
+    // Where on a body, and its light.
+    struct BodyPoint {
+        double depth_m = 0.0;
+        Point<Scene> at, own;
+        Vector<Scene> normal;
+        Parts parts;
+    };
 
     [[nodiscard]] GroundCorner corner(VertexId v) const { return {mesh_->positions[v], mesh_->samples[v]}; }
     [[nodiscard]] Ray ray_of(const MotionPiece& scene, const Sighting& sighting, double u) const;
     [[nodiscard]] Behind beyond(const Ray& ray) const;
     [[nodiscard]] Behind ground(const MotionPiece& scene, const Sighting& sighting, double time_s,
                                 const Ray& ray) const;
+    [[nodiscard]] GroundTriangle::Hit ground_hit(const MotionPiece& scene, const Sighting& sighting, double time_s,
+                                                 const GroundTriangle& triangle) const;
+    [[nodiscard]] GroundTriangle ground_triangle(const Sighting& sighting) const;
+    [[nodiscard]] BodyPoint body_point(const MotionPiece& scene, const Sighting& sighting, double time_s,
+                                       const Ray& ray) const;
     [[nodiscard]] Behind body(const MotionPiece& scene, const Sighting& sighting, double time_s, const Ray& ray) const;
     [[nodiscard]] Behind behind_air(const MotionPiece& camera, const Look& look) const;
     [[nodiscard]] Radiance through_air(const Behind& behind) const;
     [[nodiscard]] Rgb in_mirror(const Sighting& sighting, double time_s, double from_m) const;
 
+    const FactSources* facts_ = nullptr;
     const TerrainMesh* mesh_;
     const LitGround* light_;
     const Daylight* daylight_;

@@ -62,9 +62,11 @@ GroundFacts ground_facts(const ShotDocument& shot, const Stage& stage, const Gro
                   of_each(count, [&](std::size_t v) { return geodetic_fact(stage, mesh.positions[v]); }));
     }
     if (wanted.has(Quantity::Albedo))
-        facts.add(GroundFacts::Kind::Albedo, grid, of_each(count, [&](std::size_t v) { return four(light.albedo[v]); }));
+        facts.add(GroundFacts::Kind::Albedo, grid,
+                  of_each(count, [&](std::size_t v) { return four(light.albedo[v]); }));
     if (wanted.has(Quantity::Direct) || wanted.has(Quantity::Shadow))
-        facts.add(GroundFacts::Kind::Sunlight, grid, of_each(count, [&](std::size_t v) { return four(light.sunlight[v]); }));
+        facts.add(GroundFacts::Kind::Sunlight, grid,
+                  of_each(count, [&](std::size_t v) { return four(light.sunlight[v]); }));
     return facts;
 }
 

@@ -61,9 +61,9 @@ class GliderShot {
     Stage stage_{prepare_terrain(shot_.terrain, folder_ / "cache"), middle_of(shot_.flight)};
     CameraPath path_ = make_path(shot_.flight, stage_);
     // Nothing hides the sky from the ground, which takes a while to find out.
-    LitGround light_{stage_.full_mesh(), light_ground(
-                                             stage_.full_mesh(), hypsometric_ramp(0.0F, 5000.0F), day_,
-                                             [](Point<Scene>, Vector<Scene>) { return false; }, GroundShadows::Traced)};
+    LitGround light_{stage_.full_mesh(),
+                     light_ground(stage_.full_mesh(), hypsometric_ramp(0.0F, 5000.0F), day_,
+                                  [](Point<Scene>, Vector<Scene>) { return false; }, {GroundShadows::Traced})};
     ShotBodies bodies_;
     Sight sight_;
 };

@@ -58,7 +58,7 @@ struct GliderView {
         std::vector<FilmFrame> films(runs.size(), FilmFrame(kPixels, 1));
         std::vector<FilmFrame*> to;
         for (FilmFrame& film : films) to.push_back(&film);
-        LineDeposits deposits(shader, piece, to);
+        LineDeposits deposits(shader, piece, to, 1);
         for (std::uint32_t i = 0; i < runs.size(); ++i) {
             PixelRun run = kRun;
             run.film = i;
@@ -124,7 +124,7 @@ TEST(LineDeposits, LeaveTheHorizonAlone) {
     const GliderView seen(0.5);
     std::vector<FilmFrame> films(1, FilmFrame(kPixels, 1));
     FilmFrame* const film = films.data();
-    const LineDeposits deposits(seen.shader, seen.piece, {&film, 1});
+    LineDeposits deposits(seen.shader, seen.piece, {&film, 1}, 1);
     int added = 0, left = 0;
     for (const SeenRun& run : seen.runs) {
         if (run.sighting.seen == nullptr) ++(deposits.add_sky(run.sighting, run.when, kRun) ? added : left);

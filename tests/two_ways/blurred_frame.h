@@ -31,10 +31,10 @@ struct FrameMaker {
     ShotDocument shot{};
     const ShotBodies& bodies = kNobody;
     Daylight day{shot.look.look};
-    LitGround light = {stage.full_mesh(),
-                       light_ground(
-                           stage.full_mesh(), banded_ramp(), day, [](Point<Scene>, Vector<Scene>) { return false; },
-                           shot.look.sun_shadows == SunShadows::Exact ? GroundShadows::Traced : GroundShadows::Baked)};
+    LitGround light = {
+        stage.full_mesh(),
+        light_ground(stage.full_mesh(), banded_ramp(), day, [](Point<Scene>, Vector<Scene>) { return false; },
+                     {shot.look.sun_shadows == SunShadows::Exact ? GroundShadows::Traced : GroundShadows::Baked})};
 
     inline static const ShotBodies kNobody;
 
@@ -59,7 +59,7 @@ struct FrameMaker {
         std::vector<PlannedFrame> planned;
         for (const TimeRange& e : all_exposures) planned.push_back({1, e.begin_s, e, {}});
         const Exposing exposing = {tracers.pair(), shader, size, {}, planned, {}, shot.shutter.curve, tracers.filter()};
-        std::vector<FilmFrame> all_films(exposures.size(), exposing.film());
+        std::vector<FilmFrame> all_films(exposures.size(), exposing.film({}));
         for (const MotionPiece& piece : sight.motions.front().pieces) {
             std::vector<PlannedFrame> frames;
             std::vector<FilmFrame*> films;
