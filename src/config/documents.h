@@ -85,7 +85,7 @@ struct OutputDocument {
     bool movie = true;
     FrameStorage storage;
     bool layer_files = false;  // a file for each layer, NAME.LAYER.0001.exr, beside the beauty's
-    PreviewStyle preview;  // of the contact sheet and the movie
+    PreviewStyle preview;      // of the contact sheet and the movie
 };
 
 // A body in a shot. The motion of one with an outline is its place, at rest.

@@ -20,6 +20,15 @@ struct Radiance {
     float depth_m = Frame::kNoDepth;
 };
 
+// What film is when it is developed: a frame without layers, and the averages that its layers are made of.
+struct ExposedFrame {
+    Frame frame;
+    FilmFacts facts;
+
+    // The mean of both. REQUIRES: as large, of the same kinds; both are of as many lines.
+    void join(const ExposedFrame& other);
+};
+
 // One frame while it is being exposed. Different pixels may be added to from different threads at once.
 class FilmFrame {
   public:
@@ -54,8 +63,7 @@ class FilmFrame {
     [[nodiscard]] FilmFacts& facts() { return facts_; }
     [[nodiscard]] bool has_facts() const { return facts_.kinds().any(); }
 
-    // The exposed frame, without layers. The film is used up, but for its facts, which are averages from now on.
-    [[nodiscard]] Frame develop() &&;
+    [[nodiscard]] ExposedFrame develop() &&;
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:

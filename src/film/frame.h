@@ -23,7 +23,7 @@ struct LayerChannel {
 struct Frame {
     int width = 0, height = 0;
     std::vector<std::array<float, 4>> rgba;
-    std::vector<float> depth_m;        // planar; kNoDepth where only sky was seen
+    std::vector<float> depth_m;          // planar; kNoDepth where only sky was seen
     std::vector<LayerChannel> layers{};  // all else that the shot asks for; finite
 
     // Far beyond any terrain, finite so that compositors can filter it.

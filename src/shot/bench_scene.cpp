@@ -76,7 +76,7 @@ Exposed expose(const Exposing& exposing, const BenchWork& work) {
         if (!frames.empty()) expose_piece(exposing, piece, frames, in_piece, counters);
     }
     out.seconds = processor_seconds() - start_s;
-    for (FilmFrame& film : films) out.frames.push_back(std::move(film).develop());
+    for (FilmFrame& film : films) out.frames.push_back(std::move(film).develop().frame);
     return out;
 }
 

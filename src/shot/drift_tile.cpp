@@ -65,9 +65,9 @@ void DriftTile::sweep_until_good() {
     // A film that counts its weights is developed to a whole exposure.
     const float weight = exposing_->filter != nullptr ? static_cast<float>(share) : 1.0F;
     const FrameSteps& steps = whole_film->facts().steps();
-    Apart mean = sweep_apart(1, steps);
+    ExposedFrame mean = sweep_apart(1, steps);
     for (int lines = 1; lines < kMostLines; lines *= 2) {
-        const Apart other = sweep_apart(lines, steps);
+        const ExposedFrame other = sweep_apart(lines, steps);
         const double error = 0.5 * root_mean_square(mean.frame, other.frame);
         mean.join(other);
         if (error <= allowed) break;
@@ -75,15 +75,7 @@ void DriftTile::sweep_until_good() {
     add(mean, weight, *whole_film);
 }
 
-void DriftTile::Apart::join(const Apart& other) {
-    for (std::size_t i = 0; i < frame.rgba.size(); ++i) {
-        for (std::size_t c = 0; c < 4; ++c) frame.rgba[i][c] = 0.5F * (frame.rgba[i][c] + other.frame.rgba[i][c]);
-        frame.depth_m[i] = std::min(frame.depth_m[i], other.frame.depth_m[i]);
-    }
-    facts.join(other.facts);
-}
-
-void DriftTile::add(const Apart& apart, float weight, FilmFrame& film) const {
+void DriftTile::add(const ExposedFrame& apart, float weight, FilmFrame& film) const {
     const Frame& frame = apart.frame;
     const auto width = static_cast<std::size_t>(view_->pattern.size.width);
     for (int y = 0; y < frame.height; ++y) {
@@ -99,7 +91,7 @@ void DriftTile::add(const Apart& apart, float weight, FilmFrame& film) const {
 }
 
 // A picture of the tile alone, by lines that no other has been made of.
-DriftTile::Apart DriftTile::sweep_apart(int lines, const FrameSteps& steps) {
+ExposedFrame DriftTile::sweep_apart(int lines, const FrameSteps& steps) {
     FilmFrame film = exposing_->film_of(pixels_.width(), pixels_.height(), steps);
     film_ = &film;
     pixels_.set_film(tile_.left, tile_.top, pixels_.width());
@@ -107,8 +99,7 @@ DriftTile::Apart DriftTile::sweep_apart(int lines, const FrameSteps& steps) {
     pattern_.per_pixel = lines;
     ++pattern_.set;
     sweep();
-    Frame frame = std::move(film).develop();
-    return {std::move(frame), std::move(film.facts())};
+    return std::move(film).develop();
 }
 
 // REQUIRES: open is a part of the exposure.

@@ -22,17 +22,11 @@ class DriftTile {
     void expose(TimeRange exposure, FilmFrame& film);
 
   private:
-    // A picture of the tile alone.
-    struct Apart {
-        Frame frame;
-        FilmFacts facts;
-        // The mean of both. REQUIRES: of as many lines.
-        void join(const Apart& other);
-    };
     void sweep();
     void sweep_until_good();
-    [[nodiscard]] Apart sweep_apart(int lines, const FrameSteps& steps);
-    void add(const Apart& apart, float weight, FilmFrame& film) const;
+    // A picture of the tile alone.
+    [[nodiscard]] ExposedFrame sweep_apart(int lines, const FrameSteps& steps);
+    void add(const ExposedFrame& apart, float weight, FilmFrame& film) const;
     void follow(const HomeRange& homes, TimeRange open);
 
     const Exposing* exposing_;

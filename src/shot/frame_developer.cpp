@@ -131,8 +131,9 @@ class LayerMaker {
         if (depth_m >= Frame::kNoDepth) return Frame::kNoDepth;
         const PictureSize size = {frame_.width, frame_.height};
         const auto width = static_cast<std::size_t>(frame_.width);
-        const double x = size.film_x(static_cast<double>(i % width) + 0.5);
-        const double y = size.film_y(static_cast<double>(i / width) + 0.5);
+        const std::size_t column = i % width, row = i / width;
+        const double x = size.film_x(static_cast<double>(column) + 0.5);
+        const double y = size.film_y(static_cast<double>(row) + 0.5);
         const double across = tan_half_fov_ * std::hypot(x, y);
         return static_cast<float>(static_cast<double>(depth_m) * std::hypot(1.0, across));
     }
@@ -183,12 +184,12 @@ FrameDeveloper::FrameDeveloper(const ShotDocument& shot, const Stage& stage, con
 }
 
 Frame FrameDeveloper::develop(FilmFrame film, double tan_half_fov) const {
-    Frame frame = std::move(film).develop();
-    LayerMaker maker(film.facts(), *stage_, to_sun_, object_ids_, tan_half_fov, frame);
+    auto [frame, facts] = std::move(film).develop();
+    LayerMaker maker(facts, *stage_, to_sun_, object_ids_, tan_half_fov, frame);
     for (const LayerKind& kind : layer_kinds()) {
         if (layers_.has(kind.layer)) maker.add(kind.layer);
     }
-    return frame;
+    return std::move(frame);
 }
 
 }  // namespace overfly

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/version.h"
+#include "shot/shot_facts.h"
 
 namespace overfly {
 namespace {
@@ -45,6 +46,9 @@ FrameHeaders::FrameHeaders(const ShotDocument& shot, const Stage& stage, const C
     common_.terrain = document_of(files, "terrain");
     common_.flight = document_of(files, "flight");
     common_.inputs = std::move(inputs);
+    common_.layers = shot.layers;
+    common_.objects = object_names(shot);
+    std::erase(common_.objects, std::string());
 }
 
 FrameHeader FrameHeaders::of(const PlannedFrame& frame) const {

@@ -68,7 +68,7 @@ struct GliderView {
         }
         deposits.flush();
         std::vector<Frame> frames;
-        for (FilmFrame& film : films) frames.push_back(std::move(film).develop());
+        for (FilmFrame& film : films) frames.push_back(std::move(film).develop().frame);
         return frames;
     }
 };

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "config/sample_documents.h"
 #include "shot/sample_shot.h"
 
 namespace overfly {
@@ -165,7 +166,7 @@ TEST(ShotInputs, EverythingAboutLayersThatChangesFramesChangesTheHash) {
     ShotDocument shot = sample_shot(folder.path());
     shot.bodies = sample_bodies(shot, folder / "a.obj");
     shot.layers = {Layer::Normal, Layer::Cryptomatte};
-    const std::filesystem::path raster = source_folder / "terrain/blanca_peak_utm13n_75m.tif";
+    const std::filesystem::path raster = config_tests::source_folder / "terrain/blanca_peak_utm13n_75m.tif";
     std::filesystem::copy_file(raster, folder / "classes.tif");
     shot.classes = {folder / "classes.tif", 1, {{11, "water"}}};
     const std::vector<Change> changes = {

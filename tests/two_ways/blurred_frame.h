@@ -73,7 +73,7 @@ struct FrameMaker {
             if (!frames.empty()) expose_piece(exposing, piece, frames, films, counters);
         }
         std::vector<Frame> frames;
-        for (FilmFrame& film : all_films) frames.push_back(std::move(film).develop());
+        for (FilmFrame& film : all_films) frames.push_back(std::move(film).develop().frame);
         return frames;
     }
     [[nodiscard]] Frame expose(TracerKind kind, int lines, int samples) const {
