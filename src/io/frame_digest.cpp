@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <cstring>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
+
+#include "io/frame_facts.h"
+#include "io/layer_files.h"
 
 namespace overfly {
 namespace {
@@ -126,11 +128,9 @@ FrameDigest digest_of(const StoredChannels& frame) {
     return digestion.finish();
 }
 
-FrameDigest digest_frame(const std::filesystem::path& file) {
-    FrameDigest digest = digest_of(read_channels(file));
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    digest.size_bytes = error ? 0 : size;
+FrameDigest digest_frame(const std::filesystem::path& frame) {
+    FrameDigest digest = digest_of(read_all_channels(frame));
+    digest.size_bytes = size_of_frame(frame, read_frame_facts(frame).layer_files);
     return digest;
 }
 

@@ -22,21 +22,21 @@ struct FrameStatistics {
     friend bool operator==(const FrameStatistics&, const FrameStatistics&) = default;
 };
 
-// A file's content without its pixels.
+// A frame's content without its pixels: all of it, whatever layers have files of their own.
 struct FrameDigest {
-    std::uint64_t size_bytes = 0;  // of the file
+    std::uint64_t size_bytes = 0;  // of its files
     int width = 0, height = 0;
-    std::string pixels_sha256;  // pixel_hash, in hexadecimal
+    std::string pixels_sha256;  // pixel_hash of all channels, in hexadecimal
     FrameStatistics statistics;
     bool is_black = false;           // R, G, B are 0 throughout, or A is
     std::size_t not_finite = 0;      // how many values of all channels are infinite or no number
     std::string not_finite_channel;  // the first that has one
 };
 
-// Without the file's size. Whoever has a frame in memory and stores it without loss need not read it back.
+// Without the files' size. Whoever has a frame in memory and stores it without loss need not read it back.
 [[nodiscard]] FrameDigest digest_of(const StoredChannels& frame);
 
-// Reads the file whole. Throws UserError as read_channels does.
-[[nodiscard]] FrameDigest digest_frame(const std::filesystem::path& file);
+// Reads the frame's file whole, and those of its layers. Throws UserError as read_all_channels does.
+[[nodiscard]] FrameDigest digest_frame(const std::filesystem::path& frame);
 
 }  // namespace overfly

@@ -21,6 +21,7 @@
 #include "geo/scene_frame.h"
 #include "io/exr_complaint.h"
 #include "io/frame_attributes.h"
+#include "io/layer_attributes.h"
 
 namespace overfly {
 namespace {
@@ -100,6 +101,8 @@ void take_camera(const Attributes& attributes, FrameFacts& facts) {
 }
 
 void take_origin(const Attributes& attributes, FrameFacts& facts) {
+    facts.layer_files = layers_of_names(attributes.text(kLayerFilesAttribute));
+    facts.objects = attributes.text(kObjectsAttribute);
     facts.software = attributes.text("Software");
     facts.inputs = attributes.text(kInputsAttribute);
     facts.shot = attributes.document("shot");

@@ -28,6 +28,8 @@ struct FrameFacts {
     std::optional<Geodetic> camera_place, scene_origin;
     std::optional<double> altitude_m;  // above sea level
 
+    LayerSet layer_files;  // those in files of their own (io/layer_files.h)
+    std::string objects;   // JSON, as Cryptomatte's manifest: each with its number
     std::string software, inputs;
     NamedDocument shot, terrain, flight;
 };

@@ -1,7 +1,10 @@
 #include "io/frame_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
+#include <deque>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -20,6 +23,7 @@
 #include "core/error.h"
 #include "io/frame_attributes.h"
 #include "io/frame_encoding.h"
+#include "io/layer_files.h"
 #include "io/output_file.h"
 
 namespace overfly {
@@ -27,6 +31,9 @@ namespace {
 
 // Frames are read in parallel by whoever calls; lines within one frame are not.
 constexpr int kThreadsWithinFrame = 0;
+
+// That every frame has.
+constexpr std::array<const char*, 5> kBeautyChannels{"R", "G", "B", "A", "Z"};
 
 // A file that remembers its errors: OpenEXR's own stream does not notice a disk that fills up while its last bytes are
 // flushed, and its destructor swallows what goes wrong with the table of lines.
@@ -37,6 +44,7 @@ class FileSink : public ByteSink {
     void write(std::span<const std::byte> bytes) override { file_.write(bytes); }
     void seek(std::uint64_t offset) override { file_.seek(offset); }
     [[nodiscard]] std::uint64_t position() const override { return file_.position(); }
+    void close() { file_.close(); }
     void commit() { file_.commit(); }
 
   private:
@@ -79,7 +87,7 @@ bool has_channel(const Imf::MultiPartInputFile& file, const char* channel) {
 // Throws whatever OpenEXR throws when the file is not there, not OpenEXR, cut off or damaged.
 Frame load(const std::filesystem::path& file) {
     Imf::MultiPartInputFile input(file.c_str(), kThreadsWithinFrame);
-    for (const char* channel : {"R", "G", "B", "A", "Z"}) {
+    for (const char* channel : kBeautyChannels) {
         if (!has_channel(input, channel)) throw std::invalid_argument(fmt::format("it has no channel {}", channel));
     }
     const Imath::Box2i window = input.header(0).dataWindow();
@@ -97,26 +105,31 @@ Frame load(const std::filesystem::path& file) {
     return frame;
 }
 
-// Says how large the file is.
-std::uint64_t write(const std::filesystem::path& file, const StoredChannels& pixels, const FrameHeader& header,
+// No file gets its name before all are complete, and the frame's own is the last: whoever finds it finds all. Says how
+// large they are.
+std::uint64_t write(const std::filesystem::path& file, const StoredPixels& pixels, const FrameHeader& header,
                     const FrameStorage& storage) {
-    FileSink sink(file);
-    encode_frame(pixels, header, storage, sink);
-    sink.commit();
-    return std::filesystem::file_size(file);
+    std::deque<FileSink> sinks;
+    for (const FrameContent& content : contents_of(file, pixels, header)) {
+        FileSink& sink = sinks.emplace_back(content.file);
+        encode_frame(content.pixels, content.header, storage, sink);
+        sink.close();
+    }
+    for (FileSink& sink : sinks) sink.commit();
+    return size_of_frame(file, header.layer_files);
 }
 
 }  // namespace
 
 void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
                  const FrameStorage& storage) {
-    write(file, StoredPixels(frame).all(), header, storage);
+    write(file, StoredPixels(frame), header, storage);
 }
 
 FrameDigest write_digested_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
                                  const FrameStorage& storage) {
     const StoredPixels pixels(frame);
-    const std::uint64_t size_bytes = write(file, pixels.all(), header, storage);
+    const std::uint64_t size_bytes = write(file, pixels, header, storage);
     if (is_lossy(storage.beauty)) return digest_frame(file);
     FrameDigest digest = digest_of(pixels.all());
     digest.size_bytes = size_bytes;
@@ -126,8 +139,8 @@ FrameDigest write_digested_frame(const std::filesystem::path& file, const Frame&
 bool is_complete_frame(const std::filesystem::path& file) {
     // Decoding every line is the only test that a cut at any byte and a damaged block both fail.
     try {
-        static_cast<void>(load(file));
-        return true;
+        const FrameChannels all = read_all_channels(file);
+        return std::ranges::all_of(kBeautyChannels, [&](const char* name) { return all.find(name) != nullptr; });
     } catch (const std::exception&) {
         return false;
     }
@@ -146,7 +159,7 @@ std::optional<std::string> frame_inputs(const std::filesystem::path& file) {
 
 Frame read_frame_with_layers(const std::filesystem::path& file) {
     Frame frame = read_frame(file);
-    for (const FrameChannel& channel : read_channels(file).channels) {
+    for (const FrameChannel& channel : read_all_channels(file).channels) {
         const std::optional<Layer> layer = layer_of_channel(channel.name);
         if (!layer) continue;
         const LayerKind& kind = kind_of(*layer);

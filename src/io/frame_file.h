@@ -53,9 +53,11 @@ struct FrameHeader {
 // are compressed differently, each is a part of its own (`beauty`, `data`) with the same header: OpenEXR has one
 // compression a part. Standard attributes where there are some (framesPerSecond, expTime, shutterAngle, worldToCamera,
 // worldToNDC, longitude, latitude, altitude, ...), Cryptomatte's, `overfly:` ones for the rest; "world" is the Scene
-// frame. Throws UserError that names the file when it cannot be written (no such folder, no permission, disk full);
-// nothing is left behind. REQUIRES: all values but those of StoredAs::Uint are finite; storage.data is lossless. What
-// is stored as half and beyond its range (65504) becomes its end.
+// frame. Layers of header.layer_files go into files of their own beside it, with the same header. Throws UserError that
+// names the file when it cannot be written (no such folder, no permission, disk full); nothing unfinished is left
+// behind. REQUIRES: all values but those of StoredAs::Uint are finite; storage.data is lossless; header.layer_files are
+// among the frame's layers. GUARANTEES: `file` is renamed when the files of its layers have been. What is stored as
+// half and beyond its range (65504) becomes its end.
 void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
                  const FrameStorage& storage = {});
 
@@ -63,7 +65,7 @@ void write_frame(const std::filesystem::path& file, const Frame& frame, const Fr
 FrameDigest write_digested_frame(const std::filesystem::path& file, const Frame& frame, const FrameHeader& header,
                                  const FrameStorage& storage = {});
 
-// Whether `file` is a frame that can be read to its last line.
+// Whether `file` is a frame that can be read to its last line, and so are the files of its layers.
 [[nodiscard]] bool is_complete_frame(const std::filesystem::path& file);
 
 // The `inputs` that the frame was written with; nothing where the file says none or is no frame at all.
@@ -72,7 +74,8 @@ FrameDigest write_digested_frame(const std::filesystem::path& file, const Frame&
 // Reads R, G, B, A and Z back, in whichever part they are. Throws UserError.
 [[nodiscard]] Frame read_frame(const std::filesystem::path& file);
 
-// The same with all layers in the file whose channels have the names of layer_kinds(). Throws UserError.
+// The same with all layers, in whichever file they are, whose channels have the names of layer_kinds(). Throws
+// UserError.
 [[nodiscard]] Frame read_frame_with_layers(const std::filesystem::path& file);
 
 }  // namespace overfly

@@ -1,5 +1,7 @@
 #include "io/layer_attributes.h"
 
+#include <sstream>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -12,20 +14,13 @@ namespace {
 std::string meanings(const FrameHeader& header) {
     std::string text = header.is_of_a_layer ? "" : fmt::format("Z: {}\n", kDepthMeaning);
     for (const LayerKind& kind : layer_kinds()) {
-        if (header.layers.has(kind.layer)) text += fmt::format("{}: {}\n", fmt::join(kind.channels, " "), kind.meaning);
+        const bool is_here = header.layers.has(kind.layer) && !header.layer_files.has(kind.layer);
+        if (is_here) text += fmt::format("{}: {}\n", fmt::join(kind.channels, " "), kind.meaning);
     }
     return text;
 }
 
-std::string names_of(LayerSet layers) {
-    std::string names;
-    for (const LayerKind& kind : layer_kinds()) {
-        if (layers.has(kind.layer)) names += fmt::format("{}{}", names.empty() ? "" : " ", kind.name);
-    }
-    return names;
-}
-
-// Cryptomatte 1.2.0, section "Metadata".
+// Cryptomatte 1.2.0, section "Metadata". Of a file that has the layer: tools look for its channels then.
 void append_cryptomatte(std::vector<FrameAttribute>& attributes, const std::string& manifest) {
     const std::string prefix = fmt::format("cryptomatte/{}/", cryptomatte_key());
     attributes.push_back({prefix + "name", std::string(kCryptomatteType)});
@@ -36,13 +31,29 @@ void append_cryptomatte(std::vector<FrameAttribute>& attributes, const std::stri
 
 }  // namespace
 
+std::string layer_names(LayerSet layers) {
+    std::string names;
+    for (const LayerKind& kind : layer_kinds()) {
+        if (layers.has(kind.layer)) names += fmt::format("{}{}", names.empty() ? "" : " ", kind.name);
+    }
+    return names;
+}
+
+LayerSet layers_of_names(const std::string& names) {
+    LayerSet layers;
+    std::istringstream words(names);
+    for (std::string word; words >> word;) layers.add(layers_named(word).value_or(LayerSet{}));
+    return layers;
+}
+
 void append_layers(std::vector<FrameAttribute>& attributes, const FrameHeader& header) {
     attributes.push_back({kLayersAttribute, meanings(header)});
-    if (!header.layer_files.empty()) attributes.push_back({kLayerFilesAttribute, names_of(header.layer_files)});
+    if (!header.layer_files.empty()) attributes.push_back({kLayerFilesAttribute, layer_names(header.layer_files)});
     if (!header.layers.has_any({Layer::Id, Layer::Cryptomatte})) return;
     const std::string manifest = cryptomatte_manifest(header.objects);
     attributes.push_back({kObjectsAttribute, manifest});
-    if (header.layers.has(Layer::Cryptomatte)) append_cryptomatte(attributes, manifest);
+    if (header.layers.has(Layer::Cryptomatte) && !header.layer_files.has(Layer::Cryptomatte))
+        append_cryptomatte(attributes, manifest);
 }
 
 std::string cryptomatte_manifest(std::span<const std::string> names) {

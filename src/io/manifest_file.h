@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/library_version.h"
+#include "film/layers.h"
 #include "flight/shutter.h"
 #include "geo/frames.h"
 #include "io/frame_digest.h"
@@ -29,10 +30,10 @@ struct ManifestInput {
 
 struct ManifestFrame {
     int number = 1;
-    std::string file;     // without folder
-    double time_s = 0.0;  // on the flight's axis
-    std::uint64_t size_bytes = 0;
-    std::string pixels_sha256;  // pixel_hash
+    std::string file;              // without folder
+    double time_s = 0.0;           // on the flight's axis
+    std::uint64_t size_bytes = 0;  // with the files of layers
+    std::string pixels_sha256;     // pixel_hash, of these as well
     FrameStatistics statistics;
     std::optional<double> render_s;  // what it took; nothing of one that was found on disk
 
@@ -68,6 +69,7 @@ struct ManifestSequence {
     int first = 1, count = 0;  // numbers of its frames, complete or not
     ManifestSampling sampling;
     ManifestBound mesh, motion;
+    LayerSet layer_files;               // those in files of their own (io/layer_files.h)
     std::vector<ManifestFrame> frames;  // those that are complete, by number
 
     [[nodiscard]] const ManifestFrame* find(int number) const;

@@ -28,10 +28,15 @@ void OutputFile::seek(std::uint64_t offset) {
     position_ = offset;
 }
 
-void OutputFile::commit() {
+void OutputFile::close() {
     refuse_if_failed();
     // A full disk often shows only here: fclose writes the last buffer, and network file systems report late.
     if (std::fclose(stream_.release()) != 0) fail(errno);
+}
+
+void OutputFile::commit() {
+    refuse_if_failed();
+    if (stream_) close();
     temporary_.commit();
 }
 

@@ -23,7 +23,9 @@ class OutputFile {
     void seek(std::uint64_t offset);
     [[nodiscard]] std::uint64_t position() const { return position_; }
 
-    // Stores what is still buffered, closes the file and gives it its name. Nothing may follow.
+    // Stores what is still buffered and closes the file, which has no name yet. Only commit() may follow.
+    void close();
+    // Closes the file, where close() has not, and gives it its name. Nothing may follow.
     void commit();
 
   private:

@@ -95,8 +95,12 @@ StoredChannels StoredPixels::of(LayerGroup group) const {
     return chosen(all_, [&](const StoredChannel& c) { return c.group == group; });
 }
 
-StoredChannels StoredPixels::of(std::optional<Layer> layer) const {
+StoredChannels StoredPixels::of(Layer layer) const {
     return chosen(all_, [&](const StoredChannel& c) { return c.layer == layer; });
+}
+
+StoredChannels StoredPixels::without(LayerSet layers) const {
+    return chosen(all_, [&](const StoredChannel& c) { return !c.layer || !layers.has(*c.layer); });
 }
 
 FrameChannel channel_of(const StoredChannel& stored, std::size_t pixels) {

@@ -40,7 +40,8 @@ class StoredPixels {
 
     [[nodiscard]] const StoredChannels& all() const { return all_; }
     [[nodiscard]] StoredChannels of(LayerGroup group) const;
-    [[nodiscard]] StoredChannels of(std::optional<Layer> layer) const;  // none: R, G, B, A and Z
+    [[nodiscard]] StoredChannels of(Layer layer) const;
+    [[nodiscard]] StoredChannels without(LayerSet layers) const;
 
   private:
     void add_colours(const Frame& frame);

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "io/exr_complaint.h"
+#include "io/layer_files.h"
 
 namespace overfly {
 namespace {
@@ -28,10 +29,9 @@ class Verdict {
 };
 
 FrameFault fault_of(const FrameExpectation& expected, const CheckedFrame& frame) {
-    std::error_code failed;
-    const std::uintmax_t size = std::filesystem::file_size(expected.file, failed);
     // OpenEXR does not always see it as an early end where a file is shorter than it was.
-    const bool is_shorter = !failed && frame.facts.width > 0 && expected.listed && size < expected.listed->size_bytes;
+    const bool is_shorter = frame.facts.width > 0 && expected.listed &&
+                            size_of_frame(expected.file, frame.facts.layer_files) < expected.listed->size_bytes;
     return is_shorter || frame.message.ends_with(kCutOff) ? FrameFault::Truncated : FrameFault::Unreadable;
 }
 
@@ -54,6 +54,32 @@ void judge(const FrameExpectation& expected, CheckedFrame& frame) {
     verdict.fault_if(digest.is_black, FrameFault::Black, "it is black or transparent throughout");
 }
 
+// Whether the files of its layers are there and belong to it. Their pixels are looked at with the frame's.
+void check_layer_files(const FrameExpectation& expected, CheckedFrame& frame) {
+    Verdict verdict(frame);
+    for (const std::filesystem::path& file : files_of_frame(expected.file, frame.facts.layer_files)) {
+        if (file == expected.file) continue;
+        std::error_code error;
+        const std::string name = file.filename().string();
+        if (!std::filesystem::exists(file, error)) {
+            verdict.fault_if(true, FrameFault::LayerMissing, fmt::format("{}: missing", name));
+            continue;
+        }
+        const FrameFacts layer = read_frame_facts(file);
+        verdict.fault_if(layer.inputs != frame.facts.inputs, FrameFault::OtherInputs,
+                         fmt::format("{}: it is of another version of the shot", name));
+        verdict.fault_if(layer.number != frame.facts.number, FrameFault::Misplaced,
+                         fmt::format("{}: it is frame {} by its header", name, layer.number.value_or(0)));
+    }
+}
+
+// The user's words for what is wrong; of a layer's file with its name.
+std::string message_of(const UserError& error, const FrameExpectation& expected) {
+    const Problem& problem = error.problems().front();
+    if (problem.place.file == expected.file) return problem.message;
+    return fmt::format("{}: {}", problem.place.file.filename().string(), problem.message);
+}
+
 CheckedFrame check_frame(const FrameExpectation& expected) {
     CheckedFrame frame;
     std::error_code error;
@@ -64,9 +90,11 @@ CheckedFrame check_frame(const FrameExpectation& expected) {
     }
     try {
         frame.facts = read_frame_facts(expected.file);
+        check_layer_files(expected, frame);
+        if (frame.fault) return frame;
         frame.digest = digest_frame(expected.file);
     } catch (const UserError& unreadable) {
-        frame.message = unreadable.problems().front().message;
+        frame.message = message_of(unreadable, expected);
         frame.fault = fault_of(expected, frame);
         return frame;
     }
@@ -97,6 +125,8 @@ const char* name_of(FrameFault fault) {
     switch (fault) {
         case FrameFault::Missing:
             return "missing";
+        case FrameFault::LayerMissing:
+            return "layer_missing";
         case FrameFault::Truncated:
             return "truncated";
         case FrameFault::Unreadable:

@@ -15,22 +15,24 @@ namespace overfly {
 
 enum class FrameFault {
     Missing,
-    Truncated,    // cut off
-    Unreadable,   // no OpenEXR, or damaged
-    OtherInputs,  // rendered from something else than it should be
-    Size,         // not as many pixels as it should have
-    Misplaced,    // its header says that it is another frame
-    Pixels,       // they are not those that the manifest lists
-    NotFinite,    // a value is infinite or no number
-    Black,        // or transparent throughout
-    Duplicate,    // the pixels of another frame, though the camera has moved
-    Unlisted,     // the manifest does not know it, though it is there
+    LayerMissing,  // the file of a layer, while the frame itself is there
+    Truncated,     // cut off
+    Unreadable,    // no OpenEXR, or damaged
+    OtherInputs,   // rendered from something else than it should be
+    Size,          // not as many pixels as it should have
+    Misplaced,     // its header says that it is another frame
+    Pixels,        // they are not those that the manifest lists
+    NotFinite,     // a value is infinite or no number
+    Black,         // or transparent throughout
+    Duplicate,     // the pixels of another frame, though the camera has moved
+    Unlisted,      // the manifest does not know it, though it is there
 };
 
 // "missing", "unreadable" ...: for programs
 [[nodiscard]] const char* name_of(FrameFault fault);
 
-// A frame, and what is known of it without looking at it.
+// A frame, and what is known of it without looking at it. Which of its layers have files of their own, it says itself:
+// what is wrong with one of those is wrong with the frame.
 struct FrameExpectation {
     int number = 1;
     std::filesystem::path file;

@@ -47,6 +47,7 @@ FrameHeaders::FrameHeaders(const ShotDocument& shot, const Stage& stage, const C
     common_.flight = document_of(files, "flight");
     common_.inputs = std::move(inputs);
     common_.layers = shot.layers;
+    if (shot.output.layer_files) common_.layer_files = shot.layers;
     common_.objects = object_names(shot);
     std::erase(common_.objects, std::string());
 }

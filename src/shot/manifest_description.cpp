@@ -63,6 +63,7 @@ ManifestSequence describe_sequence(const ManifestSubjects& subjects) {
                       shot.sampling.error};
     about.mesh = {shot.mesh_pixel_error, subjects.mesh_error_px};
     about.motion = {shot.motion_bound_px, subjects.motion_error_px};
+    if (shot.output.layer_files) about.layer_files = shot.layers;
     return about;
 }
 

@@ -6,11 +6,13 @@
 #include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "config/frame_range.h"
 #include "core/error.h"
+#include "io/layer_files.h"
 #include "shot/frame_plan.h"
 
 namespace overfly {
@@ -47,11 +49,18 @@ std::map<std::string, Numbers> frames_on_disk(const std::filesystem::path& folde
     return found;
 }
 
+struct LayerOnDisk {
+    Layer layer = Layer::Range;
+    int number = 0;
+    std::filesystem::path file;
+};
+
 // One sequence: what the manifest says of it, if anything, and which of its files there are.
 struct Sequence {
     std::string name;
     std::optional<ManifestSequence> listed;
     Numbers on_disk;
+    std::vector<LayerOnDisk> layers_on_disk;
 
     [[nodiscard]] FrameSpan numbers() const {
         if (listed) return {listed->first, listed->first + listed->count - 1};
@@ -91,6 +100,23 @@ void find_odd_sizes(std::vector<CheckedFrame>& frames) {
     }
 }
 
+// Files of layers are looked at with the frames that have them, and belong to these for the rest as well: they are
+// given to the sequence of the frames, but for what the manifest has as a sequence of its own.
+void assign_layer_files(std::map<std::string, Sequence>& sequences, const std::filesystem::path& folder) {
+    for (auto it = sequences.begin(); it != sequences.end();) {
+        const auto layer = layer_sequence(it->first);
+        const auto frames = layer ? sequences.find(layer->frames) : sequences.end();
+        if (it->second.listed || frames == sequences.end()) {
+            ++it;
+            continue;
+        }
+        for (const int number : it->second.on_disk)
+            frames->second.layers_on_disk.push_back(
+                {layer->layer, number, folder / frame_file_name(it->first, number)});
+        it = sequences.erase(it);
+    }
+}
+
 SequenceVerdict verify(const Sequence& sequence, const std::filesystem::path& folder, const VerifyOptions& options) {
     const FrameSpan span = sequence.numbers();
     const Numbers numbers =
@@ -111,6 +137,10 @@ SequenceVerdict verify(const Sequence& sequence, const std::filesystem::path& fo
         if (number < span.first || number > span.last)
             verdict.foreign.push_back(folder / frame_file_name(sequence.name, number));
     }
+    for (const LayerOnDisk& l : sequence.layers_on_disk) {
+        const bool is_of_shot = !sequence.listed || sequence.listed->layer_files.has(l.layer);
+        if (!is_of_shot || l.number < span.first || l.number > span.last) verdict.foreign.push_back(l.file);
+    }
     return verdict;
 }
 
@@ -120,10 +150,11 @@ std::vector<SequenceVerdict> verify_folder(const std::filesystem::path& folder, 
     std::map<std::string, Numbers> on_disk = frames_on_disk(folder);
     Manifest manifest = read_manifest(folder).value_or(Manifest{});
     std::map<std::string, Sequence> sequences;
-    for (auto& [name, listed] : manifest.sequences) sequences[name] = {name, std::move(listed), {}};
+    for (auto& [name, listed] : manifest.sequences) sequences[name] = {name, std::move(listed), {}, {}};
     for (auto& [name, numbers] : on_disk) {
-        sequences.try_emplace(name, Sequence{name, std::nullopt, {}}).first->second.on_disk = std::move(numbers);
+        sequences.try_emplace(name, Sequence{name, std::nullopt, {}, {}}).first->second.on_disk = std::move(numbers);
     }
+    assign_layer_files(sequences, folder);
     if (sequences.empty()) throw UserError({folder}, "has no frames, NAME.0001.exr, and no manifest.json");
     std::vector<SequenceVerdict> verdicts;
     for (const auto& [name, sequence] : sequences) verdicts.push_back(verify(sequence, folder, options));

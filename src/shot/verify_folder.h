@@ -26,13 +26,14 @@ struct SequenceVerdict {
     bool has_manifest = false;  // else only what the files themselves tell was checked
     int frames = 0;             // how many there should be
     std::vector<BadFrame> bad;  // by number
-    // Frames on disk with numbers that the sequence does not have, by the manifest.
+    // Files on disk of frames and of layers that the sequence does not have, by the manifest.
     std::vector<std::filesystem::path> foreign;
 };
 
-// Checks every sequence in a folder: those of its manifest, and whatever else is called NAME.NUMBER.exr. Of the latter
-// the frames from the first to the last that is there are expected. Reads all frames. Throws UserError where the folder
-// can't be read or has no frames, or where its manifest is none.
+// Checks every sequence in a folder: those of its manifest, and whatever else is called NAME.NUMBER.exr and is
+// no file of a layer of such a sequence (io/layer_files.h). Of the latter the frames from the first to the last that is
+// there are expected. Reads all frames. Throws UserError where the folder can't be read or has no frames, or where its
+// manifest is none.
 [[nodiscard]] std::vector<SequenceVerdict> verify_folder(const std::filesystem::path& folder,
                                                          const VerifyOptions& options);
 

@@ -74,7 +74,7 @@ bool print_skyline(const Arguments& a) {
 const std::map<std::string, bool (*)(const Arguments&)> kQuestions = {
     {"json", print_json},
     {"complete", [](const Arguments& a) { return is_complete_frame(a.at(0)); }},
-    {"same", [](const Arguments& a) { return read_frame(a.at(0)) == read_frame(a.at(1)); }},
+    {"same", [](const Arguments& a) { return read_frame_with_layers(a.at(0)) == read_frame_with_layers(a.at(1)); }},
     {"has", has_attribute},
     {"summit", print_summit},
     {"skyline", print_skyline},

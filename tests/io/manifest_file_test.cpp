@@ -37,6 +37,7 @@ Manifest sample_manifest() {
     demo.sampling = {"kinetic", 2, 64, 8.0, 0.001};
     demo.mesh = {0.5, 0.4375};
     demo.motion = {0.01, std::nullopt};
+    demo.layer_files = {Layer::Normal, Layer::Id};
     demo.frames = {first, bare};
     Manifest manifest;
     manifest.sequences["demo"] = demo;
