@@ -2,11 +2,14 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -14,6 +17,8 @@
 
 namespace overfly {
 namespace {
+
+constexpr int kPatience_ms = 20;  // between two looks at a program that is waited for
 
 [[noreturn]] void throw_system_error(int error_number, const char* what) {
     throw std::system_error(error_number, std::generic_category(), what);
@@ -40,7 +45,8 @@ class SpawnActions {
 
 }  // namespace
 
-std::unique_ptr<EncoderProcess> EncoderProcess::start(const std::vector<std::string>& arguments) {
+std::unique_ptr<EncoderProcess> EncoderProcess::start(const std::vector<std::string>& arguments,
+                                                      std::function<void()> while_waiting) {
     // A file, not a pipe: nobody has to read it while the program runs.
     std::unique_ptr<std::FILE, Close> errors(std::tmpfile());
     if (!errors) throw_system_error(errno, "temporary file");
@@ -60,11 +66,13 @@ std::unique_ptr<EncoderProcess> EncoderProcess::start(const std::vector<std::str
         if (error_number == ENOENT) return nullptr;
         throw_system_error(error_number, argv.front());
     }
-    return std::unique_ptr<EncoderProcess>(new EncoderProcess(process, ends[0], std::move(errors)));
+    return std::unique_ptr<EncoderProcess>(
+        new EncoderProcess(process, ends[0], std::move(errors), std::move(while_waiting)));
 }
 
-EncoderProcess::EncoderProcess(int process, int socket, std::unique_ptr<std::FILE, Close> errors)
-    : process_(process), socket_(socket), errors_(std::move(errors)) {}
+EncoderProcess::EncoderProcess(int process, int socket, std::unique_ptr<std::FILE, Close> errors,
+                               std::function<void()> while_waiting)
+    : process_(process), socket_(socket), errors_(std::move(errors)), while_waiting_(std::move(while_waiting)) {}
 
 EncoderProcess::~EncoderProcess() {
     close_stream();
@@ -74,10 +82,18 @@ EncoderProcess::~EncoderProcess() {
     }
 }
 
+void EncoderProcess::wait_until_it_reads() const {
+    pollfd reader = {.fd = socket_, .events = POLLOUT, .revents = 0};
+    while (poll(&reader, 1, kPatience_ms) <= 0) {
+        if (while_waiting_) while_waiting_();
+    }
+}
+
 bool EncoderProcess::write(std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
-        const ssize_t sent = send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) continue;
+        wait_until_it_reads();
+        const ssize_t sent = send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (sent < 0) return false;
         bytes = bytes.subspan(static_cast<std::size_t>(sent));
     }
@@ -87,8 +103,11 @@ bool EncoderProcess::write(std::span<const std::uint8_t> bytes) {
 bool EncoderProcess::finish() {
     close_stream();
     int status = 0;
-    while (waitpid(process_, &status, 0) < 0) {
-        if (errno != EINTR) throw_system_error(errno, "waitpid");
+    pid_t ended = 0;
+    while ((ended = waitpid(process_, &status, WNOHANG)) != process_) {
+        if (ended < 0 && errno != EINTR) throw_system_error(errno, "waitpid");
+        std::this_thread::sleep_for(std::chrono::milliseconds(kPatience_ms));
+        if (while_waiting_) while_waiting_();
     }
     process_ = 0;
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,7 +15,9 @@ namespace overfly {
 class EncoderProcess {
   public:
     // `arguments` begin with the program's name, which is looked for in PATH. Returns nothing when it is not installed.
-    [[nodiscard]] static std::unique_ptr<EncoderProcess> start(const std::vector<std::string>& arguments);
+    // while_waiting: called many times a second while the program keeps us waiting; may throw.
+    [[nodiscard]] static std::unique_ptr<EncoderProcess> start(const std::vector<std::string>& arguments,
+                                                               std::function<void()> while_waiting = {});
     // Ends a program that was not waited for.
     ~EncoderProcess();
     EncoderProcess(const EncoderProcess&) = delete;
@@ -33,12 +36,15 @@ class EncoderProcess {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
 
-    EncoderProcess(int process, int socket, std::unique_ptr<std::FILE, Close> errors);
+    EncoderProcess(int process, int socket, std::unique_ptr<std::FILE, Close> errors,
+                   std::function<void()> while_waiting);
+    void wait_until_it_reads() const;
     void close_stream();
 
     int process_;  // 0 once it was waited for
     int socket_;   // -1 once it is closed
     std::unique_ptr<std::FILE, Close> errors_;
+    std::function<void()> while_waiting_;
 };
 
 }  // namespace overfly

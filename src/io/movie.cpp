@@ -83,7 +83,11 @@ void write_movie(const std::filesystem::path& file, std::span<const std::filesys
     check(!frames.empty(), "a movie has frames");
     const DisplayImage first = movie_picture(frames.front(), look);
     TemporaryFile temporary(file);
-    const auto encoder = EncoderProcess::start(ffmpeg_arguments(first, rate, look.remark(), temporary.path()));
+    std::size_t done = 0;
+    const auto tell = [&] {
+        if (progress) progress("movie", static_cast<double>(done), static_cast<double>(frames.size()));
+    };
+    const auto encoder = EncoderProcess::start(ffmpeg_arguments(first, rate, look.remark(), temporary.path()), tell);
     if (!encoder) {
         throw UserError(Place{file},
                         "needs the program ffmpeg, which is not installed (Debian: apt-get install ffmpeg)");
@@ -94,7 +98,8 @@ void write_movie(const std::filesystem::path& file, std::span<const std::filesys
             throw UserError(Place{frames[i]}, "has another size than the first frame of its movie");
         }
         reads = reads && encoder->write(picture.rgb);
-        if (progress) progress("movie", static_cast<double>(i + 1), static_cast<double>(frames.size()));
+        done = i + 1;
+        tell();
     });
     // The program's status alone does not tell of a reader that stopped early, nor a broken stream of a bad status.
     const bool ended_well = encoder->finish();

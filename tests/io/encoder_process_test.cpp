@@ -36,6 +36,19 @@ TEST(EncoderProcess, EndsAProgramThatIsNotWaitedFor) {
     EXPECT_TRUE(process);
 }  // the test would run into its time limit here
 
+// A user who wants to stop must be heard while the program neither reads nor ends.
+TEST(EncoderProcess, AsksWhileItWaits) {
+    struct Stopped {};
+    const auto stop = [] { throw Stopped(); };
+    const std::vector<std::uint8_t> more_than_any_buffer(100'000'000, 7);
+    const auto deaf = EncoderProcess::start({"sleep", "1000"}, stop);
+    ASSERT_TRUE(deaf);
+    EXPECT_THROW(static_cast<void>(deaf->write(more_than_any_buffer)), Stopped);
+    const auto slow = EncoderProcess::start({"sleep", "1000"}, stop);
+    ASSERT_TRUE(slow);
+    EXPECT_THROW(static_cast<void>(slow->finish()), Stopped);
+}
+
 TEST(EncoderProcess, IsNothingWhereTheProgramIsNotInstalled) {
     EXPECT_FALSE(EncoderProcess::start({"no-program-of-this-name"}));
 }
