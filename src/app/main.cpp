@@ -95,11 +95,6 @@ int run(int argc, char** argv) {
     return chosen();
 }
 
-int tell_stopped() {
-    print_to_stderr("stopped; what was finished is complete, and a second run goes on from there\n");
-    return kInterrupted;
-}
-
 // The only place where errors end: a line for each problem, and the exit code.
 int run_and_catch(int argc, char** argv) {
     try {

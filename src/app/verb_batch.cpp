@@ -66,7 +66,7 @@ nlohmann::ordered_json batch_json(const std::vector<ShotOutcome>& outcomes) {
 }
 
 int run_batch(const Arguments& arguments, const CommonOptions& common) {
-    catch_stop_signals();
+    const StopSignals stop_signals;
     Console console(common);
     RenderOptions options;
     options.cache_folder = default_cache_folder();

@@ -42,7 +42,7 @@ void summarise(Console& console, const RenderResult& r) {
 }
 
 int run_render(const Arguments& arguments, const CommonOptions& common) {
-    catch_stop_signals();
+    const StopSignals stop_signals;
     Console console(common);
     const ShotDocument shot = arguments.overrides.read(arguments.shot);
     RenderOptions options;

@@ -4,7 +4,9 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <mutex>
 #include <random>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -49,21 +51,45 @@ pid_t maker_of(std::string_view name, std::string_view machine) {
 
 bool is_gone(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
 
+// What is being made belongs to the process, as its name does.
+struct Unfinished {
+    std::mutex mutex;
+    std::set<std::filesystem::path> files;
+};
+
+Unfinished& unfinished() {
+    static Unfinished all;
+    return all;
+}
+
 }  // namespace
 
 TemporaryFile::TemporaryFile(std::filesystem::path target)
-    : target_(std::move(target)), path_(target_.parent_path() / temporary_name(target_)) {}
+    : target_(std::move(target)), path_(target_.parent_path() / temporary_name(target_)) {
+    const std::scoped_lock lock(unfinished().mutex);
+    unfinished().files.insert(path_);
+}
 
 TemporaryFile::~TemporaryFile() {
+    const std::scoped_lock lock(unfinished().mutex);
     std::error_code ignored;
     if (!committed_) std::filesystem::remove(path_, ignored);
+    unfinished().files.erase(path_);
 }
 
 void TemporaryFile::commit() {
+    const std::scoped_lock lock(unfinished().mutex);
     std::error_code error;
     std::filesystem::rename(path_, target_, error);
     if (error) throw UserError(Place{target_}, fmt::format("can't be written: {}", error.message()));
     committed_ = true;
+}
+
+void remove_unfinished_files() {
+    // Never unlocked again: nothing may be committed or made until the process ends.
+    unfinished().mutex.lock();
+    std::error_code ignored;
+    for (const std::filesystem::path& file : unfinished().files) std::filesystem::remove(file, ignored);
 }
 
 void remove_abandoned_files(const std::filesystem::path& folder) {

@@ -24,6 +24,10 @@ class TemporaryFile {
     bool committed_ = false;
 };
 
+// For a program that has to end at once, without unwinding: removes all that carry such a name in this process. None is
+// committed or made afterwards: a thread that tries to waits for ever.
+void remove_unfinished_files();
+
 // Removes from `folder` what programs that were killed left there under such names: those of this machine whose
 // process is gone. What other machines and running processes are making stays. Never fails.
 void remove_abandoned_files(const std::filesystem::path& folder);

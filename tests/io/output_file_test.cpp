@@ -1,6 +1,7 @@
 #include "io/output_file.h"
 
 #include <array>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -51,6 +52,23 @@ TEST(OutputFile, SeeksBack) {
     file.write(bytes("!"));
     file.commit();
     EXPECT_EQ(content(folder / "a.txt"), "012xyz6789!");
+}
+
+// In a process of its own, which never leaves the lock.
+TEST(OutputFileDeathTest, LeavesNothingWhenTheProcessEndsAtOnce) {
+    const TemporaryFolder folder;
+    EXPECT_EXIT(
+        {
+            OutputFile finished(folder / "a.txt");
+            finished.commit();
+            OutputFile file(folder / "b.txt");
+            file.write(bytes("half a"));
+            remove_unfinished_files();
+            std::_Exit(3);
+        },
+        ::testing::ExitedWithCode(3), "");
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.txt"));
+    EXPECT_EQ(folder.file_count(), 1U);
 }
 
 TEST(OutputFile, LeavesNothingWithoutCommit) {
