@@ -1,6 +1,6 @@
 // Looks into the program's results for tests/app:
 //   json POINTER          prints the value at a JSON pointer of standard input; strings without quotes
-//   complete FRAME        whether the frame can be read to its end
+//   complete FRAME...     whether all the frames can be read to their ends
 //   same FRAME FRAME      whether all pixels of all channels are equal to the bit
 //   has FRAME ATTRIBUTE   whether the header has it
 //   summit FRAME TERRAIN  prints where worldToNDC puts the terrain's highest vertex: x, y in pixels, depth in metres
@@ -73,7 +73,7 @@ bool print_skyline(const Arguments& a) {
 
 const std::map<std::string, bool (*)(const Arguments&)> kQuestions = {
     {"json", print_json},
-    {"complete", [](const Arguments& a) { return is_complete_frame(a.at(0)); }},
+    {"complete", [](const Arguments& a) { return std::ranges::all_of(a, is_complete_frame); }},
     {"same", [](const Arguments& a) { return read_frame_with_layers(a.at(0)) == read_frame_with_layers(a.at(1)); }},
     {"has", has_attribute},
     {"summit", print_summit},
