@@ -164,7 +164,7 @@ class LayerMaker {
         return shows_surface(i) ? static_cast<float>(angle_deg(normal(i), to_sun_)) : 0.0F;
     }
     [[nodiscard]] float most_seen(std::size_t i) const {
-        const ObjectShares::Share& most = facts_.objects().ranked(i).front();
+        const ObjectShares::Share most = facts_.objects().ranked(i).front();
         return most.object == 0 ? 0.0F : cryptomatte_number(object_ids_[most.object]);
     }
 

@@ -9,23 +9,29 @@
 namespace overfly {
 namespace {
 
-// A vector of the scene in a body's own frame. Both frames look along the same rays, whose three parts stand at right
-// angles, also in a mirror.
+// A direction of the scene in a body's own frame. Both frames look along the same rays, also in a mirror. Their three
+// parts stand at right angles only where lines of sight don't drift over the picture.
 class CarriedOver {
   public:
     CarriedOver(const MotionPiece& scene, const MotionPiece& body, double time_s)
-        : from_(axes_of(scene, scene.u_at(time_s))), to_(axes_of(body, body.u_at(time_s))) {}
+        : from_(duals_of(axes_of(scene, scene.u_at(time_s)))), to_(axes_of(body, body.u_at(time_s))) {}
 
     [[nodiscard]] Vector<Scene> operator()(Vector<Scene> v) const {
         Vector<Scene> out;
         for (std::size_t k = 0; k < 3; ++k) out = out + dot(v, from_[k]) * to_[k];
-        return out;
+        return normalized(out);
     }
 
   private:
     using Axes = std::array<Vector<Scene>, 3>;
     static Axes axes_of(const MotionPiece& piece, double u) {
-        return {normalized(piece.right.at(u)), normalized(piece.down.at(u)), normalized(piece.view.at(u))};
+        return {piece.right.at(u), piece.down.at(u), piece.view.at(u)};
+    }
+    // Each tells how much of its axis there is in a vector.
+    static Axes duals_of(const Axes& axes) {
+        const Vector<Scene> of_right = cross(axes[1], axes[2]), of_down = cross(axes[2], axes[0]);
+        const double by = 1.0 / dot(axes[0], of_right);
+        return {by * of_right, by * of_down, by * cross(axes[0], axes[1])};
     }
     Axes from_, to_;
 };
