@@ -1,30 +1,27 @@
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/channel_table.h"
 #include "app/verbs.h"
 #include "config/read.h"
 #include "core/error.h"
 #include "io/frame_channels.h"
 #include "io/frame_facts.h"
+#include "io/layer_attributes.h"
 
 namespace overfly {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Channel {
-    std::string name;
-    const char* type = "";
-    std::string compression;
-    ChannelStatistics statistics;
-};
-
 struct FrameInfo {
     FrameFacts facts;
-    std::vector<Channel> channels;
+    std::vector<ChannelInfo> channels;
+    std::vector<ObjectCoverage> objects;
 };
 
 // Documents have verbs that tell more of them than this one could.
@@ -44,10 +41,10 @@ void refuse_documents(const std::filesystem::path& file) {
 
 FrameInfo frame_info(const std::filesystem::path& file) {
     refuse_documents(file);
-    FrameInfo info{read_frame_facts(file), {}};
-    for (const FrameChannel& c : read_channels(file).channels)
-        info.channels.push_back({c.name, name_of(c.type), c.compression, statistics_of(numbers_of(c))});
-    return info;
+    FrameFacts facts = read_frame_facts(file);
+    const FrameChannels channels = read_channels(file);
+    std::vector<ObjectCoverage> objects = object_coverage(channels, facts.objects);
+    return {std::move(facts), channel_infos(channels), std::move(objects)};
 }
 
 // Without a sign before zero.
@@ -122,17 +119,6 @@ void add_camera(Lines& lines, const FrameFacts& f) {
     }
 }
 
-std::string channel_table(const std::vector<Channel>& channels) {
-    std::string text = fmt::format("\n{:<18}{:<8}{:<8}{:>12}{:>12}{:>12}{:>8}{:>8}\n", "channel", "type", "stored",
-                                   "min", "mean", "max", "NaN", "inf");
-    for (const Channel& c : channels) {
-        const ChannelStatistics& s = c.statistics;
-        text += fmt::format("{:<17} {:<8}{:<8}{:>12.6g}{:>12.6g}{:>12.6g}{:>8}{:>8}\n", c.name, c.type, c.compression,
-                            s.least, s.mean, s.most, s.not_a_number, s.infinite);
-    }
-    return text;
-}
-
 std::string info_text(const FrameInfo& info) {
     const FrameFacts& f = info.facts;
     Lines lines;
@@ -144,7 +130,8 @@ std::string info_text(const FrameInfo& info) {
     lines.add("flight", f.flight);
     lines.add("inputs", f.inputs);
     lines.add("software", f.software);
-    return lines.text() + channel_table(info.channels);
+    lines.add("layer files", layer_names(f.layer_files));
+    return lines.text() + channel_table(info.channels) + object_table(info.objects);
 }
 
 template <class Value>
@@ -170,20 +157,16 @@ Json attitude_json(const std::optional<Attitude>& attitude) {
 
 Json document_json(const NamedDocument& document) { return {{"name", document.name}, {"sha256", document.sha256}}; }
 
+Json layers_json(LayerSet layers) {
+    Json names = Json::array();
+    for (const LayerKind& kind : layer_kinds()) {
+        if (layers.has(kind.layer)) names.push_back(kind.name);
+    }
+    return names;
+}
+
 Json info_json(const FrameInfo& info) {
     const FrameFacts& f = info.facts;
-    Json channels = Json::array();
-    for (const Channel& c : info.channels) {
-        const ChannelStatistics& s = c.statistics;
-        channels.push_back({{"name", c.name},
-                            {"type", c.type},
-                            {"compression", c.compression},
-                            {"min", s.least},
-                            {"mean", s.mean},
-                            {"max", s.most},
-                            {"nan", s.not_a_number},
-                            {"infinite", s.infinite}});
-    }
     return {
         {"width", f.width},
         {"height", f.height},
@@ -206,7 +189,9 @@ Json info_json(const FrameInfo& info) {
          {{"shot", document_json(f.shot)}, {"terrain", document_json(f.terrain)}, {"flight", document_json(f.flight)}}},
         {"inputs", f.inputs},
         {"software", f.software},
-        {"channels", channels}};
+        {"layer_files", layers_json(f.layer_files)},
+        {"channels", channels_json(info.channels)},
+        {"objects", objects_json(info.objects)}};
 }
 
 int run_info(const std::string& file, const CommonOptions& common) {

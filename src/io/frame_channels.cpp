@@ -119,6 +119,27 @@ FrameChannels load(const std::filesystem::path& file) {
     return frame;
 }
 
+template <class Values>
+ChannelStatistics statistics_of_values(const Values& values) {
+    ChannelStatistics s;
+    s.least = std::numeric_limits<double>::infinity();
+    s.most = -s.least;
+    double sum = 0.0;
+    std::size_t finite = 0;
+    for (const auto v : values) {
+        if (std::isnan(v)) ++s.not_a_number;
+        if (std::isinf(v)) ++s.infinite;
+        if (!std::isfinite(v)) continue;
+        ++finite;
+        sum += v;
+        s.least = std::min(s.least, static_cast<double>(v));
+        s.most = std::max(s.most, static_cast<double>(v));
+    }
+    if (finite == 0) return {0.0, 0.0, 0.0, s.not_a_number, s.infinite};
+    s.mean = sum / static_cast<double>(finite);
+    return s;
+}
+
 }  // namespace
 
 const char* name_of(ChannelType type) {
@@ -177,24 +198,13 @@ std::vector<float> numbers_of(const FrameChannel& channel) {
     return numbers;
 }
 
-ChannelStatistics statistics_of(std::span<const float> values) {
-    ChannelStatistics s;
-    s.least = std::numeric_limits<double>::infinity();
-    s.most = -s.least;
-    double sum = 0.0;
-    std::size_t finite = 0;
-    for (const float v : values) {
-        if (std::isnan(v)) ++s.not_a_number;
-        if (std::isinf(v)) ++s.infinite;
-        if (!std::isfinite(v)) continue;
-        ++finite;
-        sum += v;
-        s.least = std::min(s.least, static_cast<double>(v));
-        s.most = std::max(s.most, static_cast<double>(v));
-    }
-    if (finite == 0) return {0.0, 0.0, 0.0, s.not_a_number, s.infinite};
-    s.mean = sum / static_cast<double>(finite);
-    return s;
+ChannelStatistics statistics_of(std::span<const float> values) { return statistics_of_values(values); }
+
+ChannelStatistics statistics_of(const FrameChannel& channel) {
+    if (channel.type != ChannelType::Uint) return statistics_of(numbers_of(channel));
+    std::vector<std::uint32_t> values(channel.values.size() / sizeof(std::uint32_t));
+    std::memcpy(values.data(), channel.values.data(), channel.values.size());
+    return statistics_of_values(std::vector<double>(values.begin(), values.end()));
 }
 
 }  // namespace overfly

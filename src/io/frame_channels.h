@@ -62,5 +62,7 @@ struct ChannelStatistics {
 };
 
 [[nodiscard]] ChannelStatistics statistics_of(std::span<const float> values);
+// Exact for a uint of any size.
+[[nodiscard]] ChannelStatistics statistics_of(const FrameChannel& channel);
 
 }  // namespace overfly

@@ -57,3 +57,28 @@ case_of_what_is_no_frame() {
     expect_exit 2
     expect_match stderr "^dem.tif: can't be read as a frame: "
 }
+
+case_of_a_frame_with_layers() {
+    small_shot
+    printf 'layers: [N, id, cryptomatte, lon]\n' >>shot.yaml
+    run render shot.yaml --frames 3
+    run info out/shot.0003.exr
+    expect_exit 0
+    expect_match stdout '^N: normal in the scene'
+    expect_match stdout '^N[.]X +half +zip +-0[.][0-9]+ +-?[0-9.e-]+ +[0-9.]+ +0 +0$'
+    expect_match stdout '^lon +float +zip +-105[.]5'
+    expect_match stdout '^id +uint +zip +0 +[0-9]{9,10} +0 +0$'
+    expect_match stdout '^terrain +0[.][0-9]{6}$'
+    run info out/shot.0003.exr --json
+    expect_equal 'object' "$(json /objects/0/name)" terrain
+    expect_equal 'layer files' "$(json /layer_files)" '[]'
+    local share
+    share=$(json /objects/0/coverage)
+    run render shot.yaml --frames 3 --set output.layer_files=true -o files
+    run info files/shot.0003.exr --json
+    expect_equal 'layer files' "$(json /layer_files)" '["N","lon","id","cryptomatte"]'
+    expect_equal 'channels' "$(json /channels/4/name)" Z
+    run info files/shot.cryptomatte.0003.exr --json
+    expect_equal 'share' "$(json /objects/0/coverage)" "$share"
+    expect_equal 'layer' "$(json /channels/0/layer)" cryptomatte
+}
