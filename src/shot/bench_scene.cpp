@@ -18,7 +18,7 @@ BenchScene::BenchScene(const ShotDocument& shot, const std::filesystem::path& ca
       mesh_(fit_mesh_to_flight(stage_, shot, path_, cache_folder, progress)),
       day_(shot.look.look),
       sight_(make_sight(shot, path_, shot_motion(shot, path_, frames_, stage_), {stage_, bodies_, day_.to_sun()})),
-      light_(shot, stage_, day_, progress),
+      light_(shot, stage_, day_, {}, progress),
       shader_(light_.shader(bodies_)) {}
 
 ShotTracers BenchScene::tracers(const SamplingDocument& sampling) const {

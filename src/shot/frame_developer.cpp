@@ -7,7 +7,6 @@
 
 #include "film/cryptomatte.h"
 #include "shot/pixel_tile.h"
-#include "shot/shot_facts.h"
 
 namespace overfly {
 namespace {
@@ -178,9 +177,11 @@ class LayerMaker {
 
 }  // namespace
 
-FrameDeveloper::FrameDeveloper(const ShotDocument& shot, const Stage& stage, const Daylight& day)
+FrameDeveloper::FrameDeveloper(const ShotDocument& shot, const Stage& stage, const Daylight& day,
+                               std::span<const std::string> objects)
     : layers_(shot.layers), stage_(&stage), to_sun_(day.to_sun()) {
-    for (const std::string& name : object_names(shot)) object_ids_.push_back(name.empty() ? 0 : cryptomatte_id(name));
+    object_ids_.push_back(0);
+    for (const std::string& name : objects) object_ids_.push_back(cryptomatte_id(name));
 }
 
 Frame FrameDeveloper::develop(FilmFrame film, double tan_half_fov) const {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "config/documents.h"
@@ -14,8 +16,9 @@ namespace overfly {
 // Makes finished frames of film: what lines have told becomes the layers that the shot asks for (film/layers.h).
 class FrameDeveloper {
   public:
-    // The stage must outlive it.
-    FrameDeveloper(const ShotDocument& shot, const Stage& stage, const Daylight& day);
+    // The stage must outlive it. objects: ShotObjects::names of the shot.
+    FrameDeveloper(const ShotDocument& shot, const Stage& stage, const Daylight& day,
+                   std::span<const std::string> objects);
 
     // tan_half_fov: of the camera in the middle of the exposure.
     [[nodiscard]] Frame develop(FilmFrame film, double tan_half_fov) const;

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "core/version.h"
-#include "shot/shot_facts.h"
 
 namespace overfly {
 namespace {
@@ -34,7 +33,7 @@ FrameRate rate_of(double lasts_s) {
 }  // namespace
 
 FrameHeaders::FrameHeaders(const ShotDocument& shot, const Stage& stage, const CameraPath& path, std::string inputs,
-                           std::span<const InputFile> files)
+                           std::span<const InputFile> files, std::span<const std::string> objects)
     : shot_(&shot), stage_(&stage), path_(&path) {
     common_.rate = shot.frames.rate;
     common_.capture_rate = shot.frames.rate;
@@ -48,8 +47,7 @@ FrameHeaders::FrameHeaders(const ShotDocument& shot, const Stage& stage, const C
     common_.inputs = std::move(inputs);
     common_.layers = shot.layers;
     if (shot.output.layer_files) common_.layer_files = shot.layers;
-    common_.objects = object_names(shot);
-    std::erase(common_.objects, std::string());
+    common_.objects.assign(objects.begin(), objects.end());
 }
 
 FrameHeader FrameHeaders::of(const PlannedFrame& frame) const {

@@ -17,7 +17,7 @@ class FrameHeaders {
   public:
     // inputs: shot_inputs_hash; files: input_files.
     FrameHeaders(const ShotDocument& shot, const Stage& stage, const CameraPath& path, std::string inputs,
-                 std::span<const InputFile> files);
+                 std::span<const InputFile> files, std::span<const std::string> objects);
 
     [[nodiscard]] FrameHeader of(const PlannedFrame& frame) const;
 

@@ -158,6 +158,7 @@ struct Scenery {
     const ShotBodies& bodies;
     const Daylight& daylight;
     const Sight& sight;
+    const ShotObjects& objects;
 };
 
 void report_mesh(Rendering& rendering, const FlightMeshReport& mesh) {
@@ -171,14 +172,14 @@ void render_frames(Rendering& rendering, const Scenery& scenery, const std::vect
                    const FrameHeaders& headers, SequenceManifest& manifest) {
     const ShotDocument& shot = rendering.shot;
     const Stopwatch watch;
-    const SceneLight light(shot, scenery.stage, scenery.daylight, rendering.options.progress);
-    ShotFacts facts(shot, scenery.stage, scenery.path, scenery.planned, scenery.bodies);
+    const SceneLight light(shot, scenery.stage, scenery.daylight, scenery.objects, rendering.options.progress);
+    ShotFacts facts(shot, scenery.stage, scenery.path, scenery.planned, scenery.bodies, scenery.objects);
     facts.set_ground(light.facts());
     rendering.result.light_s = watch.seconds();
     scenery.stage.drop_full_mesh();
     SceneShader shader = light.shader(scenery.bodies);
     if (!shot.layers.empty()) shader.set_facts(&facts.sources());
-    const FrameDeveloper developer(shot, scenery.stage, scenery.daylight);
+    const FrameDeveloper developer(shot, scenery.stage, scenery.daylight, scenery.objects.names());
     const ShotTracers tracers(shot, scenery.stage, scenery.bodies, scenery.sight, rendering.options.check_every);
     const Exposing exposing = {tracers.pair(),
                                shader,
@@ -251,8 +252,9 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
         subjects.mesh_error_px = result.mesh.largest_error_px;
         subjects.motion_error_px = result.motion_error_px;
         manifest.describe(describe_sequence(subjects));
-        const FrameHeaders headers(shot, stage, path, inputs, files);
-        render_frames(rendering, {stage, path, frames, bodies, daylight, sight}, missing, headers, manifest);
+        const ShotObjects objects(shot, stage, options.progress);
+        const FrameHeaders headers(shot, stage, path, inputs, files, objects.names());
+        render_frames(rendering, {stage, path, frames, bodies, daylight, sight, objects}, missing, headers, manifest);
     } else if (manifest.is_changed()) {
         manifest.describe(describe_sequence(subjects));
         manifest.save();

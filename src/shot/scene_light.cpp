@@ -28,15 +28,17 @@ GroundLight ground_light(const ShotDocument& shot, const Stage& stage, const Day
 
 }  // namespace
 
-SceneLight::SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress)
-    : SceneLight(shot, stage, day, ground_light(shot, stage, day, progress)) {}
+SceneLight::SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const ShotObjects& objects,
+                       const Progress& progress)
+    : SceneLight(shot, stage, day, objects, ground_light(shot, stage, day, progress)) {}
 
-SceneLight::SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const GroundLight& light)
+SceneLight::SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const ShotObjects& objects,
+                       const GroundLight& light)
     : shot_(&shot),
       stage_(&stage),
       day_(&day),
       ground_(stage.full_mesh(), light),
-      facts_(ground_facts(shot, stage, light)) {}
+      facts_(ground_facts(shot, stage, light, objects)) {}
 
 SceneShader SceneLight::shader(const ShotBodies& bodies) const {
     std::vector<ShadedBody> shaded;

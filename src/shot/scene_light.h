@@ -6,6 +6,7 @@
 #include "shade/ground_light.h"
 #include "shot/scene_shader.h"
 #include "shot/shot_body.h"
+#include "shot/shot_objects.h"
 #include "shot/stage.h"
 
 namespace overfly {
@@ -14,14 +15,16 @@ namespace overfly {
 class SceneLight {
   public:
     // All must outlive it. REQUIRES: the stage still has its full mesh; it is asked for it here only.
-    SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress);
+    SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const ShotObjects& objects,
+               const Progress& progress);
 
     [[nodiscard]] SceneShader shader(const ShotBodies& bodies) const;
     // For the layers of the shot.
     [[nodiscard]] const GroundFacts& facts() const { return facts_; }
 
   private:
-    SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const GroundLight& light);
+    SceneLight(const ShotDocument& shot, const Stage& stage, const Daylight& day, const ShotObjects& objects,
+               const GroundLight& light);
 
     const ShotDocument* shot_;
     const Stage* stage_;

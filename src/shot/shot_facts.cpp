@@ -43,7 +43,8 @@ Float4 geodetic_fact(const Stage& stage, Point<Scene> p) {
 
 bool has_light_parts(LayerSet layers) { return layers.has_any({Layer::Albedo, Layer::Direct, Layer::Shadow}); }
 
-GroundFacts ground_facts(const ShotDocument& shot, const Stage& stage, const GroundLight& light) {
+GroundFacts ground_facts(const ShotDocument& shot, const Stage& stage, const GroundLight& light,
+                         const ShotObjects& objects) {
     if (shot.layers.empty()) return {};
     const TerrainMesh& mesh = stage.full_mesh();
     const Quantities wanted = Quantities(shot.layers);
@@ -67,22 +68,16 @@ GroundFacts ground_facts(const ShotDocument& shot, const Stage& stage, const Gro
     if (wanted.has(Quantity::Direct) || wanted.has(Quantity::Shadow))
         facts.add(GroundFacts::Kind::Sunlight, grid,
                   of_each(count, [&](std::size_t v) { return four(light.sunlight[v]); }));
+    if (!objects.of_vertices().empty()) facts.add_objects(grid, objects.of_vertices());
     return facts;
 }
 
-std::vector<std::string> object_names(const ShotDocument& shot) {
-    std::vector<std::string> names = {"", "terrain"};
-    for (const BodyDocument& body : shot.bodies) names.push_back(body.name);
-    return names;
-}
-
 ShotFacts::ShotFacts(const ShotDocument& shot, const Stage& stage, const CameraPath& path,
-                     std::span<const PlannedFrame> frames, const ShotBodies& bodies) {
+                     std::span<const PlannedFrame> frames, const ShotBodies& bodies, const ShotObjects& objects) {
     sources_.kinds = FactKinds(shot.layers);
     sources_.px_per_film = 0.5 * shot.image.width;
     sources_.geodetic = [&stage](Point<Scene> p) { return geodetic_fact(stage, p); };
-    sources_.surfaces = {1};
-    for (std::size_t b = 0; b < bodies.size(); ++b) sources_.surfaces.push_back(static_cast<ObjectNumber>(2 + b));
+    sources_.surfaces.assign(objects.of_surfaces().begin(), objects.of_surfaces().end());
     if (!sources_.kinds.quantities.has(Quantity::Motion)) return;
     ShotDocument without_mirrors = shot;
     without_mirrors.sampling.mirror_depth = 0;

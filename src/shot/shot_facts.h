@@ -13,6 +13,7 @@
 #include "shot/frame_plan.h"
 #include "shot/look_facts.h"
 #include "shot/shot_body.h"
+#include "shot/shot_objects.h"
 #include "shot/stage.h"
 
 namespace overfly {
@@ -21,11 +22,9 @@ namespace overfly {
 [[nodiscard]] Float4 geodetic_fact(const Stage& stage, Point<Scene> p);
 
 // What the full mesh tells, as far as the shot's layers ask for it. light: with its parts, where has_light_parts().
-[[nodiscard]] GroundFacts ground_facts(const ShotDocument& shot, const Stage& stage, const GroundLight& light);
+[[nodiscard]] GroundFacts ground_facts(const ShotDocument& shot, const Stage& stage, const GroundLight& light,
+                                       const ShotObjects& objects);
 [[nodiscard]] bool has_light_parts(LayerSet layers);
-
-// Objects by number: 0 is nothing, and then the terrain, the bodies, and the classes of the ground.
-[[nodiscard]] std::vector<std::string> object_names(const ShotDocument& shot);
 
 // What the layers of a shot are told from. Stays where it was made.
 class ShotFacts {
@@ -33,7 +32,7 @@ class ShotFacts {
     // All must outlive it. frames: of the whole shot. REQUIRES: the stage still has its full mesh; it is asked for it
     // here only.
     ShotFacts(const ShotDocument& shot, const Stage& stage, const CameraPath& path,
-              std::span<const PlannedFrame> frames, const ShotBodies& bodies);
+              std::span<const PlannedFrame> frames, const ShotBodies& bodies, const ShotObjects& objects);
     ShotFacts(const ShotFacts&) = delete;
     ShotFacts& operator=(const ShotFacts&) = delete;
 

@@ -20,7 +20,7 @@ BEGIN {
     home["^CLI/"] = "app"
     home["^nlohmann/"] = "io app"
     home["^fmt/"] = "any"
-    home["^(sys/|(unistd|fcntl|spawn|signal|stdlib)[.]h$)"] = "any"  # POSIX
+    home["^(sys/|(unistd|fcntl|poll|spawn|signal|stdlib)[.]h$)"] = "any"  # POSIX
 }
 
 function complain(what) { print FILENAME ":" FNR ": " what; bad = 1 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
+#include <map>
 #include <numbers>
 #include <ranges>
 
@@ -229,6 +229,40 @@ TEST(Layers, ObjectsAreSeenForTheirShareOfThePixel) {
     EXPECT_GT(mixed, 50);
     EXPECT_TRUE(std::ranges::any_of(std::views::iota(std::size_t{0}, frame.rgba.size()),
                                     [&](std::size_t i) { return shows_only(frame, i, "lake"); }));
+}
+
+// Left of the hill there is water, right of that what has no name; in the north nothing is known.
+void write_classes() {
+    std::ofstream(hill().folder() / "classes.asc") << "ncols 2\nnrows 2\nxllcorner 449600\nyllcorner 4149800\n"
+                                                      "cellsize 1500\nNODATA_value -1\n-1 -1\n11 42\n";
+    std::ofstream(hill().folder() / "classes.vrt")
+        << "<VRTDataset rasterXSize='2' rasterYSize='2'><SRS>EPSG:32613</SRS>"
+           "<GeoTransform>449600, 1500, 0, 4152800, 0, -1500</GeoTransform>"
+           "<VRTRasterBand dataType='Int32' band='1'><NoDataValue>-1</NoDataValue><SimpleSource>"
+           "<SourceFilename relativeToVRT='1'>classes.asc</SourceFilename></SimpleSource></VRTRasterBand></VRTDataset>";
+}
+
+TEST(Layers, ClassesOfTheGroundAreObjectsToo) {
+    write_classes();
+    const std::string raster = "classes.raster=" + (hill().folder() / "classes.vrt").string();
+    const Frame frame = hill().rendered({raster, "classes.names={11: water}", "layers=[cryptomatte, lon, lat]",
+                                         "sampling.tracer=discrete", "sampling.samples=1", "shutter.angle_deg=0"});
+    // Where the classes meet, and within how much of it a sample may be of either.
+    constexpr double kBorderLon = -105.5529, kBorderLat = 37.5070, kNear = 0.0006;
+    std::map<std::string_view, int> seen;
+    for (std::size_t i = 0; i < frame.rgba.size(); ++i) {
+        const double east = static_cast<double>(channel(frame, "lon")[i]) - kBorderLon;
+        const double north = static_cast<double>(channel(frame, "lat")[i]) - kBorderLat;
+        if (shows_only(frame, i, "slab") || shows_only(frame, i, "lake") || std::abs(east) < kNear ||
+            std::abs(north) < kNear || channel(frame, "CryptoObject00.g")[i] == 0.0F)
+            continue;
+        const std::string_view there = north > 0.0 ? "terrain" : east > 0.0 ? "42" : "water";
+        EXPECT_TRUE(shows_only(frame, i, there)) << i << there;
+        ++seen[there];
+    }
+    EXPECT_GT(seen["water"], 50);
+    EXPECT_GT(seen["42"], 50);
+    EXPECT_GT(seen["terrain"], 50);
 }
 
 // Root mean square difference of a channel, as a share of the values that it has.
