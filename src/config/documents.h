@@ -123,6 +123,7 @@ struct ShotDocument {
     OutputDocument output;
     double motion_bound_px = 0.01;
     double mesh_pixel_error = 0.5;  // 0: every sample
+    double memory_gb = 4.0;         // that a render may take, 10^9 bytes each
 };
 
 // A batch document lists shots.

@@ -15,6 +15,8 @@ namespace {
 // How fast a flight may go by.
 constexpr double kFastest = 1000.0;
 
+constexpr double kMostMemory_gb = 100'000.0;
+
 void read_speeds(Section& section, std::vector<FlightSpeed>& speeds) {
     section.allow_one_of("speed", "ramp");
     double speed = 1.0;
@@ -127,6 +129,7 @@ void read_shot(Section& document, ShotDocument& shot) {
     document.section("output", [&](Section& s) { read_output(s, shot.output); });
     document.section("motion", [&](Section& s) { s.read("bound_px", shot.motion_bound_px, Range::above(0, 1)); });
     document.section("mesh", [&](Section& s) { s.read("pixel_error", shot.mesh_pixel_error, {0, 100}); });
+    document.read("memory_gb", shot.memory_gb, Range::above(0, kMostMemory_gb));
 }
 
 }  // namespace config

@@ -61,6 +61,7 @@ TEST(ReadShotDocument, ReadsEveryKey) {
     EXPECT_EQ(shot.classes->names, (std::map<int, std::string>{{11, "water"}, {41, "forest"}, {42, "forest"}}));
     EXPECT_EQ(shot.motion_bound_px, 0.05);
     EXPECT_EQ(shot.mesh_pixel_error, 0.25);
+    EXPECT_EQ(shot.memory_gb, 1.5);
 }
 
 TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
@@ -90,6 +91,7 @@ TEST(ReadShotDocument, HasDefaultsForAllButTerrainAndFlight) {
     EXPECT_EQ(shot.output.preview.view, ViewChoice{});
     EXPECT_EQ(shot.motion_bound_px, 0.01);
     EXPECT_EQ(shot.mesh_pixel_error, 0.5);
+    EXPECT_EQ(shot.memory_gb, 4.0);
 }
 
 OutputDocument output_with(const std::string& assignment) {
