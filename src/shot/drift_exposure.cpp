@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
+#include "shot/drift_stretches.h"
 #include "shot/drift_tile.h"
 #include "shot/drifting_sight.h"
 
@@ -16,59 +16,69 @@ constexpr double kFar_m = 1e6;
 // A stretched instant.
 constexpr double kSweep_s = 1.0;
 
-// Exposures as long as each other, but for rounding.
-constexpr double kAsLong = 1e-9;
-
-// What lines may drift in a piece. Farther, the drift is no longer the motion that it is taken for (film_drift.h), and
-// most of what is prepared for the piece is never passed.
-constexpr double kFarthest_px = 320.0;
-
-// The first of all planned exposures that are in the piece, whichever are asked for.
-double planned_exposure_s(const Exposing& exposing, const MotionPiece& piece) {
-    const auto planned =
-        std::ranges::find_if(exposing.planned, [&](const PlannedFrame& f) { return is_exposed_in(f, piece); });
-    check(planned != exposing.planned.end(), "what is exposed was planned");
-    return planned->exposure.duration_s();
-}
-
 }  // namespace
 
-bool are_swept_together(const Exposing& exposing, const MotionPiece& piece) {
-    const double exposure_s = planned_exposure_s(exposing, piece);
-    if (exposure_s == 0.0) return false;
-    if (exposing.tracers.drift_px * piece.when.duration_s() > kFarthest_px * exposure_s) return false;
-    return std::ranges::all_of(exposing.planned, [&](const PlannedFrame& f) {
-        return !is_exposed_in(f, piece) || std::abs(f.exposure.duration_s() - exposure_s) <= kAsLong * exposure_s;
-    });
+DriftExposure::DriftExposure(const Exposing& exposing, const MotionPiece& piece)
+    : exposing_(&exposing),
+      piece_(&piece),
+      planned_(planned_exposures(exposing, piece)),
+      stretches_(drift_stretches(piece.when, planned_, exposing.tracers.drift_px)),
+      stretch_(stretches_.size()),
+      tiles_(tiles_of(exposing.size, kDriftTileSide_px)) {
+    for (const PixelTile& tile : tiles_) axes_.push_back(axis_for(tile));
 }
 
-DriftExposure::DriftExposure(const Exposing& exposing, const MotionPiece& piece, std::span<const TimeRange> exposures,
-                             std::span<FilmFrame* const> films)
-    : exposing_(&exposing),
-      exposures_(exposures.begin(), exposures.end()),
-      films_(films),
-      tiles_(tiles_of(exposing.size, kDriftTileSide_px)) {
-    for (const PixelTile& tile : tiles_) axes_.push_back(axis_for(tile, piece));
-    const Sight& seen = exposing.tracers.continuous->sight();
-    if (are_swept_together(exposing, piece)) {
-        curve_ = exposing.curve;
-        prepare(seen, piece.when, planned_exposure_s(exposing, piece));
-        return;
+DriftExposure::~DriftExposure() = default;
+
+std::size_t DriftExposure::prepare(std::span<const TimeRange> exposures, std::span<FilmFrame* const> films) {
+    films_ = films;
+    if (stretches_.empty()) {
+        prepare_alone(exposures.front());
+        return 1;
     }
-    TimeRange& exposure = exposures_.front();
+    const std::size_t stretch = stretch_of(exposures.front());
+    const auto last = std::ranges::find_if(exposures, [&](TimeRange e) { return stretch_of(e) != stretch; });
+    exposures_.assign(exposures.begin(), last);
+    if (stretch == stretch_) return exposures_.size();
+    const Sight& seen = exposing_->tracers.continuous->sight();
+    const TimeRange over = stretches_[stretch];
+    const double exposure_s = planned_.front().duration_s();
+    curve_ = exposing_->curve;
+    views_ = {};
+    if (stretches_.size() == 1) {
+        look(seen, over, exposure_s);
+    } else {
+        look(during(seen, over), over, exposure_s);
+    }
+    stretch_ = stretch;
+    return exposures_.size();
+}
+
+void DriftExposure::prepare_alone(TimeRange exposure) {
+    const Sight& seen = exposing_->tracers.continuous->sight();
+    views_ = {};
+    curve_ = {};
     if (exposure.duration_s() == 0.0) {
         const double time_s = exposure.begin_s;
         exposure = {time_s - 0.5 * kSweep_s, time_s + 0.5 * kSweep_s};
-        prepare(standing_still(seen, time_s, exposure), exposure, kSweep_s);
-        return;
+        look(standing_still(seen, time_s, exposure), exposure, kSweep_s);
+    } else {
+        curve_ = exposing_->curve;
+        const TimeRange open = intersection(exposure, piece_->when);
+        if (open.duration_s() > kLeastShare * exposure.duration_s())
+            look(during(seen, open), open, exposure.duration_s());
     }
-    curve_ = exposing.curve;
-    const TimeRange open = intersection(exposure, piece.when);
-    if (open.duration_s() > kLeastShare * exposure.duration_s())
-        prepare(during(seen, open), open, exposure.duration_s());
+    exposures_ = {exposure};
 }
 
-void DriftExposure::prepare(const Sight& sight, TimeRange over, double exposure_s) {
+// The one that has its middle, as far as it is in the piece: none is cut but by rounding.
+std::size_t DriftExposure::stretch_of(TimeRange exposure) const {
+    const double middle_s = intersection(exposure, piece_->when).centre_s();
+    const auto after = std::ranges::upper_bound(stretches_, middle_s, {}, &TimeRange::begin_s);
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - stretches_.begin(), 1) - 1);
+}
+
+void DriftExposure::look(const Sight& sight, TimeRange over, double exposure_s) {
     for (const DriftAxis axis : {DriftAxis::X, DriftAxis::Y}) {
         if (std::ranges::find(axes_, axis) == axes_.end()) continue;
         views_[static_cast<std::size_t>(axis)] =
@@ -76,17 +86,15 @@ void DriftExposure::prepare(const Sight& sight, TimeRange over, double exposure_
     }
 }
 
-DriftExposure::~DriftExposure() = default;
-
-DriftAxis DriftExposure::axis_for(const PixelTile& tile, const MotionPiece& piece) const {
+DriftAxis DriftExposure::axis_for(const PixelTile& tile) const {
     const double x = exposing_->size.film_x(0.5 * (tile.left + tile.right));
     const double y = exposing_->size.film_y(0.5 * (tile.top + tile.bottom));
     constexpr double kMiddle = 0.5;
-    const Vector<Scene> direction = piece.direction_at(kMiddle, x, y);
-    const Point<Scene> eye = piece.origin_at(kMiddle);
+    const Vector<Scene> direction = piece_->direction_at(kMiddle, x, y);
+    const Point<Scene> eye = piece_->origin_at(kMiddle);
     const auto hit = exposing_->tracers.ground->first_hit(eye, direction);
     const Point<Scene> seen = eye + (hit ? hit->distance : kFar_m) * direction;
-    const FilmPoint begin = film_point(piece, 0.0, seen), end = film_point(piece, 1.0, seen);
+    const FilmPoint begin = film_point(*piece_, 0.0, seen), end = film_point(*piece_, 1.0, seen);
     if (begin.depth_m <= 0.0 || end.depth_m <= 0.0) return DriftAxis::X;
     return std::abs(end.y - begin.y) > std::abs(end.x - begin.x) ? DriftAxis::X : DriftAxis::Y;
 }

@@ -14,25 +14,25 @@ namespace overfly {
 // A stretch of the picture, rows and columns alike, in which all lines drift the same way.
 inline constexpr int kDriftTileSide_px = 64;
 
-// Whether one sweep does for all exposures of a piece: they are equally long, and not so short that lines would pass
-// all of the picture in between.
-[[nodiscard]] bool are_swept_together(const Exposing& exposing, const MotionPiece& piece);
-
 struct DriftView;
 
 // The light of lines that drift over the picture, for the frames of one piece of the camera's motion. They drift across
 // the motion of what they see, or nearly: along x or y, whichever is more across it, tile by tile (design 3.5). A frame
 // without exposure time is swept in the same way while the world stands still.
 //
-// Where all exposures of the piece are swept together, lines drift at one speed all through the piece; else each
-// exposure is swept by itself.
+// Where all exposures of the piece are equally long, lines drift at one speed all through stretches of it
+// (drift_stretches.h); else each exposure is swept by itself.
 class DriftExposure {
   public:
-    // All must outlive it. REQUIRES: a pair with drift and without discrete tracer; planned frames; of
-    // exposures that aren't swept together, one.
-    DriftExposure(const Exposing& exposing, const MotionPiece& piece, std::span<const TimeRange> exposures,
-                  std::span<FilmFrame* const> films);
+    // Both must outlive it. REQUIRES: a pair with drift and without discrete tracer; planned frames.
+    DriftExposure(const Exposing& exposing, const MotionPiece& piece);
     ~DriftExposure();
+    DriftExposure(const DriftExposure&) = delete;
+    DriftExposure& operator=(const DriftExposure&) = delete;
+
+    // For the first of these exposures and all that one sweep does for as well: says how many they are. What has been
+    // prepared for exposures of the same sweep is used again. films: of the exposures; must outlive the parts.
+    [[nodiscard]] std::size_t prepare(std::span<const TimeRange> exposures, std::span<FilmFrame* const> films);
 
     // One tile for one of the exposures, for each of both.
     struct Part {
@@ -43,16 +43,22 @@ class DriftExposure {
     void run(const Part& part, TraceCounters& counters) const;
 
   private:
-    void prepare(const Sight& sight, TimeRange over, double exposure_s);
-    [[nodiscard]] DriftAxis axis_for(const PixelTile& tile, const MotionPiece& piece) const;
+    void prepare_alone(TimeRange exposure);
+    void look(const Sight& sight, TimeRange over, double exposure_s);
+    [[nodiscard]] std::size_t stretch_of(TimeRange exposure) const;
+    [[nodiscard]] DriftAxis axis_for(const PixelTile& tile) const;
 
     const Exposing* exposing_;
-    std::vector<TimeRange> exposures_;  // an instant stretched for the sweep
-    ShutterCurve curve_;
-    std::span<FilmFrame* const> films_;
+    const MotionPiece* piece_;
+    std::vector<TimeRange> planned_;
+    std::vector<TimeRange> stretches_;
+    std::size_t stretch_;  // that views_ are of; none: stretches_.size()
     std::vector<PixelTile> tiles_;
     std::vector<DriftAxis> axes_;                      // of each tile
     std::array<std::unique_ptr<DriftView>, 2> views_;  // by axis, as far as any tile needs them
+    std::vector<TimeRange> exposures_;                 // an instant stretched for the sweep
+    std::span<FilmFrame* const> films_;
+    ShutterCurve curve_;
 };
 
 }  // namespace overfly

@@ -86,5 +86,27 @@ TEST_F(DriftingLines, MakeAFrameTheSameWhicheverOthersAreAskedFor) {
         });
 }
 
+// Ten times the frame rate: so many frames in a piece that lines which drift are swept in several stretches of it, and
+// lines at rest set out several times.
+TEST_F(DriftingLines, OfAHighFrameRateMakeAFrameTheSameWhicheverOthersAreAskedFor) {
+    constexpr double kFrame_s = 1.0 / 240.0;
+    const PictureSize size = {32, 18};
+    const Sight sight = flight_.sight(size, 1.0 / 3.0);
+    std::vector<TimeRange> all, asked;
+    for (int k = 0; k < 80; ++k) all.push_back({1.0 + k * kFrame_s, 1.0 + (k + 0.5) * kFrame_s});
+    const std::vector<std::size_t> numbers = {3, 31, 32, 33, 50, 79};
+    for (const std::size_t k : numbers) asked.push_back(all[k]);
+    FrameMaker make = {flight_.stage, sight, size, kExposure};
+    for (const double drift_px : {0.0, 8.0}) {
+        make.drift_px = drift_px;
+        const std::vector<Frame> every = make.expose_some(TracerKind::Kinetic, 1, 1, all, all);
+        const std::vector<Frame> some = make.expose_some(TracerKind::Kinetic, 1, 1, asked, all);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            expect_covered(some[i]);
+            EXPECT_TRUE(some[i] == every[numbers[i]]) << numbers[i] << ", drift " << drift_px;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace overfly
