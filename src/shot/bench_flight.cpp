@@ -10,9 +10,11 @@
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "io/frame_file.h"
+#include "shot/frame_loop.h"
 #include "shot/processor_time.h"
 #include "shot/scratch_folder.h"
 #include "shot/shot_motion.h"
+#include "shot/tile_exposure.h"
 
 namespace overfly {
 namespace {
@@ -58,15 +60,31 @@ double seconds_of(const AnyTracer& tracer, const Work& work, TraceCounters& coun
     });
 }
 
-// A piece is prepared once for all pixels, of which these are some.
-double kinetic_seconds(const KineticTracer& tracer, const Work& work, PictureSize size, TraceCounters& counters) {
+// A piece is prepared once for all pixels, of which these are some. Frames go by in windows, as in a render with so
+// many films.
+double kinetic_seconds(const KineticTracer& tracer, const Work& work, const PictureSize& size, std::size_t films,
+                       TraceCounters& counters) {
     const double start_s = processor_seconds();
     const KineticPiece piece = tracer.prepare(work.piece, size.film_bounds());
     const double prepare_s = processor_seconds() - start_s;
-    const double trace_s = seconds_of(work, [&](const TileSamples& tile, SegmentLists& lists) {
-        tracer.trace(piece, tile.samples, work.exposures, lists, counters);
-    });
+    const std::span<const TimeRange> all = work.exposures;
+    const std::size_t windows = windows_of(all.size(), films);
+    double trace_s = 0.0;
+    for (std::size_t k = 0; k < windows; ++k) {
+        const std::size_t begin = all.size() * k / windows, end = all.size() * (k + 1) / windows;
+        for (const Walk& walk : walks_through(all, all.subspan(begin, end - begin))) {
+            trace_s += seconds_of(work, [&](const TileSamples& tile, SegmentLists& lists) {
+                tracer.trace(piece, tile.samples, walk.traced, lists, counters);
+            });
+        }
+    }
     return trace_s + prepare_s * work.samples() / (static_cast<double>(size.width) * size.height);
+}
+
+// In one window.
+double kinetic_seconds(const KineticTracer& tracer, const Work& work, const PictureSize& size,
+                       TraceCounters& counters) {
+    return kinetic_seconds(tracer, work, size, std::max(2 * work.exposures.size(), kFewestFilms), counters);
 }
 
 std::vector<TileSamples> some_tiles(PictureSize size) {
@@ -150,12 +168,13 @@ class FlightBench {
             if (shot.frames.count) *shot.frames.count *= factor;
             const std::vector<PlannedFrame> frames = plan_frames(shot, scene_->path().times());
             const Motion motion = shot_motion(shot, scene_->path(), frames, scene_->stage());
+            const std::size_t films = scene_->films(motion, frames);
             double seconds = 0.0, flight_s = 0.0, samples = 0.0;
             for (const MotionPiece& piece : motion.pieces_over(middle)) {
                 const Work work = {piece, exposures_in(frames, piece), tiles_};
                 if (work.exposures.empty()) continue;
                 TraceCounters counters;
-                seconds += kinetic_seconds(kinetic, work, scene_->size(), counters);
+                seconds += kinetic_seconds(kinetic, work, scene_->size(), films, counters);
                 flight_s += piece.when.duration_s();
                 samples = work.samples();
             }

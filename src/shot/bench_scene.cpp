@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "shot/frame_loop.h"
+#include "shot/memory_plan.h"
 #include "shot/processor_time.h"
 #include "shot/shot_motion.h"
 #include "shot/shot_sight.h"
@@ -29,6 +31,12 @@ ShotTracers BenchScene::tracers(const SamplingDocument& sampling) const {
 
 Exposing BenchScene::exposing(const ShotTracers& tracers) const {
     return {tracers.pair(), shader_, size(), {}, frames_, {}, shot_->shutter.curve, tracers.filter()};
+}
+
+std::size_t BenchScene::films(const Motion& motion, std::span<const PlannedFrame> frames) const {
+    const ShotTracers any = tracers(shot_->sampling);
+    const FramesInMemory needed = {exposing(any).film_bytes(), thread_limit(), most_films(motion, frames)};
+    return plan_memory(*shot_, scene_memory(sizes_of(*shot_, stage_, bodies_)), needed).frames;
 }
 
 std::vector<BenchWork> bench_work(const BenchScene& scene, std::size_t pieces) {

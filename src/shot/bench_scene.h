@@ -44,6 +44,8 @@ class BenchScene {
     // REQUIRES: this outlives them.
     [[nodiscard]] ShotTracers tracers(const SamplingDocument& sampling) const;
     [[nodiscard]] Exposing exposing(const ShotTracers& tracers) const;
+    // How many films a render of these frames has at once.
+    [[nodiscard]] std::size_t films(const Motion& motion, std::span<const PlannedFrame> frames) const;
 
   private:
     const ShotDocument* shot_;

@@ -1,7 +1,5 @@
 #include "shot/render_shot.h"
 
-#include <algorithm>
-#include <chrono>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -9,15 +7,16 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/stopwatch.h"
-#include "io/frame_file.h"
 #include "io/temporary_file.h"
-#include "shot/expose_piece.h"
 #include "shot/flight_notes.h"
 #include "shot/frame_developer.h"
 #include "shot/frame_headers.h"
+#include "shot/frame_loop.h"
+#include "shot/frame_writer.h"
 #include "shot/frames_on_disk.h"
 #include "shot/input_files.h"
 #include "shot/manifest_description.h"
+#include "shot/memory_plan.h"
 #include "shot/previews.h"
 #include "shot/scene_light.h"
 #include "shot/sequence_manifest.h"
@@ -45,99 +44,6 @@ struct Rendering {
     void say(const std::string& text) const {
         if (options.say) options.say(text);
     }
-};
-
-// Frames in the order of time, rendered piece by piece of the flight; each is written as soon as its shutter has
-// closed.
-class FrameLoop {
-  public:
-    FrameLoop(Rendering& rendering, const Motion& motion, const FrameHeaders& headers, const FrameDeveloper& developer,
-              SequenceManifest& manifest)
-        : rendering_(&rendering), motion_(&motion), headers_(&headers), developer_(&developer), manifest_(&manifest) {}
-
-    void run(const Exposing& exposing, std::span<const PlannedFrame> frames) {
-        total_ = static_cast<double>(frames.size());
-        std::size_t next = 0;  // the first frame whose shutter has not opened yet
-        for (const MotionPiece& piece : motion_->pieces) {
-            while (next < frames.size() && is_exposed_in(frames[next], piece)) {
-                open_.push_back({frames[next], exposing.film(frames[next])});
-                ++next;
-            }
-            if (open_.empty()) continue;
-            expose(exposing, piece);
-            write_closed(piece.when.end_s);
-        }
-        check(open_.empty() && next == frames.size(), "every frame's exposure lies within the motion");
-    }
-
-  private:
-    struct OpenFrame {
-        PlannedFrame frame;
-        FilmFrame film;
-        double render_s = 0.0;
-    };
-
-    void expose(const Exposing& exposing, const MotionPiece& piece) {
-        const Stopwatch watch;
-        std::vector<PlannedFrame> frames;
-        std::vector<FilmFrame*> films;
-        for (OpenFrame& open : open_) {
-            frames.push_back(open.frame);
-            films.push_back(&open.film);
-        }
-        const auto closing = static_cast<double>(
-            std::ranges::count_if(frames, [&](const PlannedFrame& f) { return f.exposure.end_s <= piece.when.end_s; }));
-        const auto progress = [&](double share) {
-            if (rendering_->options.progress)
-                rendering_->options.progress("rendering", done_ + share * closing, total_);
-        };
-        expose_piece(exposing, piece, frames, films, rendering_->result.counters, progress);
-        rendering_->result.trace_s += watch.seconds();
-        share_out(watch.seconds(), piece.when);
-    }
-
-    // What a piece took, among the frames that were exposed in it, by how long they were; equally for instants.
-    void share_out(double seconds, TimeRange piece) {
-        const auto exposed_s = [&](const OpenFrame& open) {
-            const TimeRange& e = open.frame.exposure;
-            return std::max(0.0, std::min(e.end_s, piece.end_s) - std::max(e.begin_s, piece.begin_s));
-        };
-        double all_s = 0.0;
-        for (const OpenFrame& open : open_) all_s += exposed_s(open);
-        for (OpenFrame& open : open_) {
-            const double share = all_s > 0.0 ? exposed_s(open) / all_s : 1.0 / static_cast<double>(open_.size());
-            open.render_s += share * seconds;
-        }
-    }
-
-    void write_closed(double until_s) {
-        const Stopwatch watch;
-        const auto still_open = std::stable_partition(
-            open_.begin(), open_.end(), [&](const OpenFrame& open) { return open.frame.exposure.end_s <= until_s; });
-        std::vector<OpenFrame> closed(std::make_move_iterator(open_.begin()), std::make_move_iterator(still_open));
-        open_.erase(open_.begin(), still_open);
-        std::vector<ManifestFrame> listed(closed.size());
-        parallel_for(closed.size(), [&](std::size_t i) {
-            const FrameHeader header = headers_->of(closed[i].frame);
-            const FrameDigest digest = write_digested_frame(
-                closed[i].frame.file, developer_->develop(std::move(closed[i].film), header.camera.tan_half_fov),
-                header, rendering_->shot.output.storage);
-            listed[i] = manifest_frame(closed[i].frame, digest, closed[i].render_s);
-        });
-        for (ManifestFrame& frame : listed) manifest_->add(std::move(frame));
-        manifest_->save();
-        done_ += static_cast<double>(closed.size());
-        rendering_->result.frames_rendered += static_cast<int>(closed.size());
-        rendering_->result.write_s += watch.seconds();
-    }
-
-    Rendering* rendering_;
-    const Motion* motion_;
-    const FrameHeaders* headers_;
-    const FrameDeveloper* developer_;
-    SequenceManifest* manifest_;
-    std::vector<OpenFrame> open_;
-    double done_ = 0.0, total_ = 0.0;
 };
 
 std::vector<PlannedFrame> frames_to_render(Rendering& rendering, const std::vector<PlannedFrame>& wanted,
@@ -172,6 +78,7 @@ void render_frames(Rendering& rendering, const Scenery& scenery, const std::vect
                    const FrameHeaders& headers, SequenceManifest& manifest) {
     const ShotDocument& shot = rendering.shot;
     const Stopwatch watch;
+    const SceneMemory memory = scene_memory(sizes_of(shot, scenery.stage, scenery.bodies));
     const SceneLight light(shot, scenery.stage, scenery.daylight, scenery.objects, rendering.options.progress);
     ShotFacts facts(shot, scenery.stage, scenery.path, scenery.planned, scenery.bodies, scenery.objects);
     facts.set_ground(light.facts());
@@ -189,8 +96,21 @@ void render_frames(Rendering& rendering, const Scenery& scenery, const std::vect
                                {},
                                shot.shutter.curve,
                                tracers.filter()};
+    const Motion& motion = scenery.sight.motions.front();
+    const MemoryPlan plan =
+        plan_memory(shot, memory, {exposing.film_bytes(), thread_limit(), most_films(motion, frames)});
+    rendering.say(plan.text());
     manifest.save();  // without the frames that are about to be replaced
-    FrameLoop(rendering, scenery.sight.motions.front(), headers, developer, manifest).run(exposing, frames);
+    const auto finish = [&](const PlannedFrame& frame, FilmFrame film) {
+        const FrameHeader header = headers.of(frame);
+        return FinishedFrame{developer.develop(std::move(film), header.camera.tan_half_fov), header};
+    };
+    FrameWriter writer(finish, shot.output.storage, manifest);
+    const TracedFrames traced = run_frames({exposing, motion, frames, writer, plan.frames, rendering.options.progress});
+    rendering.result.counters = traced.counters;
+    rendering.result.trace_s = traced.seconds;
+    rendering.result.write_s = writer.seconds();
+    rendering.result.frames_rendered = writer.frames_written();
 }
 
 std::vector<PlannedFrame> chosen(const std::vector<PlannedFrame>& frames, const std::string& choice) {

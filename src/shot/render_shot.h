@@ -37,7 +37,8 @@ struct RenderResult {
     int frames_kept = 0;  // found complete and of these inputs
     std::filesystem::path folder;
     Previews previews;
-    double prepare_s = 0.0, light_s = 0.0, trace_s = 0.0, write_s = 0.0, preview_s = 0.0, total_s = 0.0;
+    double prepare_s = 0.0, light_s = 0.0, trace_s = 0.0, preview_s = 0.0, total_s = 0.0;
+    double write_s = 0.0;   // of all frames, one by one; most of it passes while others are traced, within trace_s
     FlightMeshReport mesh;  // all zeros where every frame was kept
     std::size_t motion_pieces = 0;
     double motion_error_px = 0.0;

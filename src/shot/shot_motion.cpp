@@ -6,10 +6,11 @@
 namespace overfly {
 namespace {
 
-// A piece is traced in one go. Long ones spread the cost of setting lines down over many frames, also of a high frame
-// rate; short ones sweep less ground and keep fewer frames open.
+// Long pieces spread what they take to prepare over many frames, short ones sweep less ground. So many frames that ten
+// times a usual frame rate, or slow motion of it, cuts no more pieces; however many they are, they go by in windows of
+// as many as there is memory for (frame_loop.h).
 constexpr double kLongestPiece_s = 1.0 / 3.0;
-constexpr double kLongestPiece_frames = 16.0;
+constexpr double kLongestPiece_frames = 1024.0;
 
 // Between two exposures that follow each other.
 double gap_s(const PlannedFrame& frame, const PlannedFrame& next) {
