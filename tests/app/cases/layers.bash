@@ -73,3 +73,32 @@ case_without_a_manifest() {
     expect_line stdout 'shot: 5 of 6 frames are sound by themselves'
     expect_equal 'sequences' "$(wc -l <stdout)" 1
 }
+
+# Wherever it is killed: a frame that is there has all its layers, and no layer is half written.
+case_killed_while_writing() {
+    layered --frames 1-3
+    mv out whole
+    local delay file
+    for delay in 0 0.03; do
+        rm -rf out
+        "$OVERFLY" render shot.yaml --set output.layer_files=true --frames 1-3 >stdout 2>stderr &
+        local render=$!
+        wait_until 100 test -e out/shot.N.0001.exr
+        sleep "$delay"
+        kill -KILL "$render" 2>/dev/null || true
+        wait "$render" || true
+        for file in out/shot.0*.exr; do
+            [[ ! -e $file ]] || expect "$OVERFLY_PROBE" complete "$file"
+        done
+        for file in out/shot.[Nci]*.exr; do
+            run info "$file"
+            expect_exit 0
+        done
+    done
+    run render shot.yaml --set output.layer_files=true --frames 1-3
+    expect_exit 0
+    run verify out --frames 1-3
+    expect_exit 0
+    expect_equal 'hidden files' "$(find out -name '.*' ! -name '.' ! -name '..')" ''
+    for file in whole/shot.0*.exr; do expect_same_frames "$file" "out/${file#whole/}"; done
+}
