@@ -55,7 +55,7 @@ class BodyFrames : public ::testing::Test {
         return make_sight(shot_, path, flight_.sight(kSize).motions.front(), {stage_, bodies_, day.to_sun()});
     }
 
-    static constexpr PictureSize kSize = {160, 90};
+    static constexpr PictureSize kSize = {96, 54};
     static constexpr TimeRange kExposure = half_a_frame(1.0);
 
     SampleFlight flight_{level_flight()};

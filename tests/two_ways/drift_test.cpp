@@ -16,13 +16,15 @@ constexpr TimeRange kExposure = half_a_frame(1.0);
 class DriftingLines : public ::testing::Test {
   protected:
     [[nodiscard]] FrameMaker maker(double drift_px, TimeRange exposure = kExposure) const {
-        FrameMaker make = {flight_.stage, sight_, kSize, exposure};
+        FrameMaker make = plain_;
+        make.exposure = exposure;
         make.drift_px = drift_px;
         return make;
     }
 
     SampleFlight flight_{diving_flight()};
     Sight sight_ = flight_.sight(kSize);
+    FrameMaker plain_{flight_.stage, sight_, kSize, kExposure};  // the ground is lit once
 };
 
 void expect_covered(const Frame& frame) {

@@ -17,7 +17,7 @@ ShareFlight panning_flight() {
 
 class HybridFrames : public ::testing::Test {
   protected:
-    [[nodiscard]] FrameMaker maker() const { return {flight_.stage, sight_, kSize, kExposure}; }
+    [[nodiscard]] FrameMaker maker() const { return plain_; }
     [[nodiscard]] Frame by_both() const { return maker().expose(TracerKind::Hybrid, kLines, kSamples); }
 
     // How many of the picture's tiles are followed.
@@ -44,6 +44,7 @@ class HybridFrames : public ::testing::Test {
 
     SampleFlight flight_{panning_flight()};
     Sight sight_ = flight_.sight(kSize, 1.0 / 3.0);
+    FrameMaker plain_{flight_.stage, sight_, kSize, kExposure};  // the ground is lit once
 };
 
 // No further from the truth than the worse of the two that it is put together from.

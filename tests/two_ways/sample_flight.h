@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <utility>
 
 #include "shot/pixel_tile.h"
@@ -23,6 +24,13 @@ class SampleFlight {
 
     [[nodiscard]] Sight sight(PictureSize size, double longest_piece_s = 1.0 / 6.0) const {
         return sight_of(motion_over(document, stage, {0.01, size.width, size.height, longest_piece_s}));
+    }
+    // Through a longer lens, for a small picture that is the middle of a large one: as much ground and blur in a pixel.
+    [[nodiscard]] Sight sight_of_middle(PictureSize size, double share_of_width) const {
+        FlightDocument middle = document;
+        for (Keyframe& k : middle.keyframes)
+            k.lens.horizontal_fov = Angle::radians(2.0 * std::atan(share_of_width * k.lens.tan_half_fov()));
+        return sight_of(motion_over(middle, stage, {0.01, size.width, size.height}));
     }
 
     FlightDocument document;

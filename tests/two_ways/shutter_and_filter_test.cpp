@@ -12,23 +12,38 @@ namespace {
 using namespace testing;
 using Shape = ShutterCurve::Shape;
 
-constexpr PictureSize kSize = {160, 90};
+constexpr PictureSize kWhole = {160, 90};
+constexpr PictureSize kMiddle = {96, 54};  // of a picture of kWhole, where the border is not the matter
 constexpr TimeRange kExposure = half_a_frame(1.0);
 constexpr FilterKind kKinds[] = {FilterKind::Tent, FilterKind::BlackmanHarris, FilterKind::Mitchell};
 
 class ShutterAndFilter : public ::testing::Test {
   protected:
-    [[nodiscard]] FrameMaker maker(double drift_px, const ShutterCurve& curve, FilterKind filter = FilterKind::Box,
-                                   PictureSize size = kSize) const {
-        FrameMaker make = {flight_.stage, sight_, size, kExposure};
+    [[nodiscard]] static FrameMaker with(FrameMaker make, double drift_px, const ShutterCurve& curve,
+                                         FilterKind filter) {
         make.drift_px = drift_px;
         make.shot.shutter.curve = curve;
         make.shot.image.filter = filter;
         return make;
     }
+    [[nodiscard]] FrameMaker maker(double drift_px, const ShutterCurve& curve,
+                                   FilterKind filter = FilterKind::Box) const {
+        return with(middle_, drift_px, curve, filter);
+    }
+    [[nodiscard]] FrameMaker of_whole(double drift_px, FilterKind filter = FilterKind::Box,
+                                      PictureSize size = kWhole) const {
+        FrameMaker make = with(whole_, drift_px, {}, filter);
+        make.size = size;
+        return make;
+    }
 
+  private:
     SampleFlight flight_{diving_flight()};
-    Sight sight_ = flight_.sight(kSize);
+    Sight sight_ = flight_.sight(kWhole);
+    Sight sight_of_middle_ = flight_.sight_of_middle(kMiddle, kMiddle.width / 160.0);
+    FrameMaker whole_{flight_.stage, sight_, kWhole, kExposure};
+    FrameMaker middle_{flight_.stage,       sight_of_middle_, kMiddle,     kExposure, {},
+                       FrameMaker::kNobody, whole_.day,       whole_.light};  // the ground is lit once
 };
 
 void expect_covered(const Frame& frame) {
@@ -113,7 +128,7 @@ TEST_F(ShutterAndFilter, AdjacentWholeFramesAverageToTheFrameOfTwiceTheExposure)
         EXPECT_LT(largest_difference(mean, twice), 0.02);
     }
     // Lines that drift are others; both pictures are as near to the truth as each other.
-    const FrameMaker make = maker(8.0, {});
+    const FrameMaker make = of_whole(8.0);
     const Frame mean = weighed_sum(make.expose_some(TracerKind::Kinetic, 4, 1, single, single), {0.5, 0.5});
     const Frame twice = make.expose_some(TracerKind::Kinetic, 4, 1, both, both).front();
     const Frame reference = make.expose_some(TracerKind::Discrete, 1, 1024, both, both).front();
@@ -165,13 +180,13 @@ TEST_F(ShutterAndFilter, EveryFilterIsAFinePictureSummedUp) {
     constexpr int kTimes = 6;
     constexpr PictureSize kSmall = {96, 54};
     const Frame fine =
-        maker(8.0, {}, FilterKind::Box, {kTimes * kSmall.width, kTimes * kSmall.height}).by_kinetic_lines(2);
-    const Frame box = maker(8.0, {}, FilterKind::Box, kSmall).by_kinetic_lines(8);
+        of_whole(8.0, FilterKind::Box, {kTimes * kSmall.width, kTimes * kSmall.height}).by_kinetic_lines(2);
+    const Frame box = of_whole(8.0, FilterKind::Box, kSmall).by_kinetic_lines(8);
     for (const FilterKind kind : kKinds) {
         const Frame expected = filtered(fine, kTimes, PixelFilter(kind, usual_width_px(kind)));
-        const FrameMaker drifting = maker(8.0, {}, kind, kSmall), at_rest = maker(0.0, {}, kind, kSmall);
+        const FrameMaker drifting = of_whole(8.0, kind, kSmall), at_rest = of_whole(0.0, kind, kSmall);
         const double apart = root_mean_square_inside(box, expected);
-        for (const Frame& frame : {drifting.by_kinetic_lines(8), at_rest.by_lines(64), at_rest.by_samples(1024)}) {
+        for (const Frame& frame : {drifting.by_kinetic_lines(8), at_rest.by_lines(64), at_rest.by_samples(256)}) {
             expect_covered(frame);
             const double error = root_mean_square_inside(frame, expected);
             std::cout << "filter " << static_cast<int>(kind) << ": RMSE " << error << ", a box is " << apart
@@ -182,18 +197,18 @@ TEST_F(ShutterAndFilter, EveryFilterIsAFinePictureSummedUp) {
     }
 }
 
-// Pixels at the border see beyond it.
+// Pixels at the border see beyond it. With 1,024 samples the errors are a quarter less, and their ratio is the same.
 TEST_F(ShutterAndFilter, ABorderIsAsGoodAsTheMiddle) {
     for (const FilterKind kind : kKinds) {
-        const FrameMaker make = maker(8.0, {}, kind);
-        const Frame reference = make.by_samples(1024), frame = make.by_kinetic_lines(4);
+        const FrameMaker make = of_whole(8.0, kind);
+        const Frame reference = make.by_samples(512), frame = make.by_kinetic_lines(4);
         const auto is_border = [](int x, int y) {
-            return x == 0 || y == 0 || x == kSize.width - 1 || y == kSize.height - 1;
+            return x == 0 || y == 0 || x == kWhole.width - 1 || y == kWhole.height - 1;
         };
         const double at_border = root_mean_square(frame, reference, is_border);
         const double inside = root_mean_square_inside(frame, reference);
         std::cout << "RMSE at the border " << at_border << ", inside " << inside << "\n";
-        EXPECT_LT(at_border, 2.0 * inside);
+        EXPECT_LT(at_border, 1.5 * inside);
     }
 }
 
