@@ -38,6 +38,7 @@ class TemporaryFolder {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     std::filesystem::path write(const std::string& name, const std::string& text) const {
         std::filesystem::create_directories((path_ / name).parent_path());
+        std::filesystem::remove(path_ / name);  // replacing a file's content may wait for the disk
         std::ofstream(path_ / name, std::ios::binary) << text;
         return path_ / name;
     }

@@ -169,8 +169,10 @@ TEST(FrameFile, KnowsAFrameOfPartsThatIsCutOffOrDamaged) {
     write_frame(folder / "whole.exr", sample_frame(40, 33), sample_header(), {.beauty = Compression::Dwaa});
     EXPECT_TRUE(is_complete_frame(folder / "whole.exr"));
     const std::string whole = content(folder / "whole.exr");
-    for (std::size_t size = 0; size < whole.size(); size += 7) {
-        std::ofstream(folder / "cut.exr", std::ios::binary) << whole.substr(0, size);
+    std::filesystem::copy_file(folder / "whole.exr", folder / "cut.exr");
+    // Cut shorter and shorter, not written anew: replacing a file's content may wait for the disk.
+    for (std::size_t size = whole.size(); size > 7;) {
+        std::filesystem::resize_file(folder / "cut.exr", size -= 7);
         ASSERT_FALSE(is_complete_frame(folder / "cut.exr")) << size << " of " << whole.size();
     }
     std::string damaged = whole;
@@ -183,10 +185,11 @@ TEST(FrameFile, KnowsAFrameThatIsCutOffAtAnyByte) {
     const TemporaryFolder folder;
     write_frame(folder / "whole.exr", sample_frame(40, 33), sample_header());
     EXPECT_TRUE(is_complete_frame(folder / "whole.exr"));
-    const std::string whole = content(folder / "whole.exr");
-    for (std::size_t size = 0; size < whole.size(); ++size) {
-        std::ofstream(folder / "cut.exr", std::ios::binary) << whole.substr(0, size);
-        ASSERT_FALSE(is_complete_frame(folder / "cut.exr")) << size << " of " << whole.size();
+    std::filesystem::copy_file(folder / "whole.exr", folder / "cut.exr");
+    const auto whole_size = std::filesystem::file_size(folder / "whole.exr");
+    for (auto size = whole_size; size-- > 0;) {
+        std::filesystem::resize_file(folder / "cut.exr", size);
+        ASSERT_FALSE(is_complete_frame(folder / "cut.exr")) << size << " of " << whole_size;
     }
 }
 
