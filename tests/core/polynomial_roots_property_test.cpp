@@ -144,7 +144,11 @@ void check_family(const char* name, Maker<N> make, int trials) {
 
 template <std::size_t N>
 void check_degree() {
+#ifdef __SANITIZE_ADDRESS__
+    constexpr int kTrials = 2'000;  // ten times as slow; what a sanitizer sees, it sees soon
+#else
     constexpr int kTrials = 20'000;
+#endif
     check_family<N>("uniform", uniform<N>, kTrials);
     check_family<N>("of all magnitudes", of_all_magnitudes<N>, kTrials);
     check_family<N>("of small numbers", of_small_numbers<N>, kTrials);
