@@ -63,42 +63,50 @@ void FactDeposits::deposit(const Told& told, ObjectNumber object, std::size_t fi
 }
 
 void FactDeposits::deposit_values(const Float4* nodes, int pieces, const PixelRun& to) const {
-    const Quantities& wanted = facts_.sources().kinds.quantities;
-    for (std::size_t slot = 0; slot < wanted.count(); ++slot) {
-        if (wanted.at(slot) != Quantity::Effort) deposit_values(nodes + slot, pieces, slot, to);
-    }
+    FilmFacts& film = films_[to.film]->facts();
+    const std::size_t slots = facts_.sources().kinds.quantities.count();
+    const auto length = static_cast<float>(pieces);
+    if (to.shares != nullptr) return deposit_shares(nodes, pieces, *to.shares, film);
+    const float per_piece = static_cast<float>(to.weight) / length;
+    for_each_pixel(to, [&](std::uint32_t pixel, float begin, float end) {
+        Float4* const sums = film.of(pixel);
+        for_each_node(begin * length, end * length, pieces, [&](std::size_t node, float weight) {
+            const Float4* const told = nodes + node * slots;
+            for (std::size_t slot = 0; slot < slots; ++slot) sums[slot] += (per_piece * weight) * told[slot];
+        });
+    });
 }
 
-void FactDeposits::deposit_values(const Float4* nodes, int pieces, std::size_t slot, const PixelRun& to) const {
-    FilmFacts& film = films_[to.film]->facts();
-    ChainIntegral chain(nodes, pieces, facts_.sources().kinds.quantities.count());
+void FactDeposits::deposit_shares(const Float4* nodes, int pieces, const RunShares& shares, FilmFacts& film) const {
+    const std::size_t slots = facts_.sources().kinds.quantities.count();
     const auto length = static_cast<float>(pieces);
-    Float4 sum{}, value = nodes[0];
-    if (to.shares == nullptr) {
-        const float per_piece = static_cast<float>(to.weight) / length;
-        for_each_pixel(to, [&](std::uint32_t pixel, float, float end) {
-            const auto until = chain(end * length);
-            film.of(pixel)[slot] += per_piece * (until.sum - sum);
-            sum = until.sum;
-        });
-        return;
-    }
+    const auto value_at = [&](float t, std::size_t slot) {
+        const auto piece = static_cast<std::size_t>(std::clamp(static_cast<int>(t), 0, pieces - 1));
+        const Float4 &from = nodes[piece * slots + slot], &to = nodes[(piece + 1) * slots + slot];
+        return from + (t - static_cast<float>(piece)) * (to - from);
+    };
+    Told mean{}, growth{};
     float reached = 0.0F;
     std::size_t next = 0;
-    for (const RunShares::Cell& cell : to.shares->cells) {
-        const auto until = chain(cell.end_v * length);
-        const float lasting = (cell.end_v - reached) * length;
-        const Float4 mean = lasting > 0.0F ? (until.sum - sum) / lasting : value;
-        const Float4 growth = until.value - value;
+    for (const RunShares::Cell& cell : shares.cells) {
+        const float begin = reached * length, end = cell.end_v * length;
+        for (std::size_t slot = 0; slot < slots; ++slot) {
+            growth[slot] = value_at(end, slot) - value_at(begin, slot);
+            mean[slot] = end > begin ? Float4{} : value_at(begin, slot);
+        }
+        for_each_node(begin, end, pieces, [&](std::size_t node, float weight) {
+            for (std::size_t slot = 0; slot < slots; ++slot)
+                mean[slot] += (weight / (end - begin)) * nodes[node * slots + slot];
+        });
         for (; next < cell.end_share; ++next) {
-            const RunShares::Share& share = to.shares->shares[next];
-            const Float4 part = share.whole * mean + share.growth * growth;
-            for (const RunShares::Row& row : to.shares->rows)
-                film.of(share.pixel + static_cast<std::uint32_t>(row.offset))[slot] += row.weight * part;
+            const RunShares::Share& share = shares.shares[next];
+            for (const RunShares::Row& row : shares.rows) {
+                Float4* const sums = film.of(share.pixel + static_cast<std::uint32_t>(row.offset));
+                for (std::size_t slot = 0; slot < slots; ++slot)
+                    sums[slot] += row.weight * (share.whole * mean[slot] + share.growth * growth[slot]);
+            }
         }
         reached = cell.end_v;
-        sum = until.sum;
-        value = until.value;
     }
 }
 

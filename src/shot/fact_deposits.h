@@ -45,7 +45,7 @@ class FactDeposits {
     };
     [[nodiscard]] const FrameSteps& steps(const PixelRun& to) const { return films_[to.film]->facts().steps(); }
     void deposit_values(const Float4* nodes, int pieces, const PixelRun& to) const;
-    void deposit_values(const Float4* nodes, int pieces, std::size_t slot, const PixelRun& to) const;
+    void deposit_shares(const Float4* nodes, int pieces, const RunShares& shares, FilmFacts& film) const;
     void find_objects(std::size_t first, std::size_t count);
     void find_between(RasterPlace from, RasterPlace to, float from_v, float to_v);
     void see(ObjectNumber object, float until_v);

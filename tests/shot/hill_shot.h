@@ -17,7 +17,7 @@ namespace overfly::testing {
 // A small picture of a hill on a slope, with a lake that mirrors it and a slab that flies by, on a morning.
 class HillShot {
   public:
-    static constexpr int kWidth = 96, kHeight = 54;
+    static constexpr int kWidth = 64, kHeight = 36;
     // The slope without the hill falls to the south.
     static constexpr double kPosts_m = 50.0, kSlope = 0.15;
 
@@ -34,7 +34,7 @@ class HillShot {
                "-8}\n";
         std::ofstream(folder_ / "hill_shot.yaml")
             << "terrain: hill.yaml\nflight: flight.yaml\nframes: {rate: 24, count: 3, start_s: 0.2}\n"
-               "image: {width: 96, height: 54}\nsampling: {lines: 8, mirror_depth: 1}\nlayers: all\n"
+               "image: {width: 64, height: 36}\nsampling: {lines: 4, mirror_depth: 1}\nlayers: all\n"
                "look: {colours: colours.txt, sun: {azimuth_deg: 115, elevation_deg: 14, shadows: exact}, "
                "visibility_km: 20}\n"
                "bodies:\n"

@@ -131,7 +131,7 @@ TEST(Layers, PlacesAreWhereThePixelsLook) {
         EXPECT_NEAR(static_cast<double>(channel(frame, "elevation.ellipsoid")[i]), place.height_m, 0.01);
         EXPECT_NEAR(static_cast<double>(channel(frame, "elevation.sea_level")[i]), place.height_m - sea_level_m, 0.01);
     }
-    EXPECT_GT(seen, 3000);
+    EXPECT_GT(seen, 1300);
 }
 
 // Of the ground, which stands still: its place as the cameras of the frames beside this one see it.
@@ -150,8 +150,8 @@ TEST(Layers, MotionLeadsToTheSamePlaceInTheFramesBeside) {
         EXPECT_NEAR(static_cast<double>(channel(frame, "backward.v")[i]), last.y - now.y, 2.0 * kMotionBound_px);
         farthest = std::max(farthest, std::hypot(next.x - now.x, next.y - now.y));
     }
-    EXPECT_GT(seen, 1500);
-    EXPECT_GT(farthest, 2.0);
+    EXPECT_GT(seen, 700);
+    EXPECT_GT(farthest, 1.4);
 }
 
 // The middle of what shows an object only.
@@ -183,7 +183,7 @@ TEST(Layers, ABodysMotionIsItsOwnAndTheCameras) {
         forward += static_cast<double>(channel(blurred(), "forward.u")[i]);
         backward += static_cast<double>(channel(blurred(), "backward.u")[i]);
     }
-    EXPECT_GT(seen, 10);
+    EXPECT_GT(seen, 5);
     EXPECT_NEAR(forward / seen, middle_of_object(next, "slab")[0] - now[0], 0.05);
     EXPECT_NEAR(backward / seen, middle_of_object(last, "slab")[0] - now[0], 0.05);
 }
@@ -211,7 +211,7 @@ TEST(Layers, SlopeAspectAndIncidenceAreThoseOfAPlane) {
         EXPECT_NEAR(static_cast<double>(channel(sharp(), "aspect")[i]), 180.0, 2.0);
         EXPECT_NEAR(static_cast<double>(channel(sharp(), "sun_incidence")[i]), kDegrees * std::acos(cosine), 0.2);
     }
-    EXPECT_GT(seen, 100);
+    EXPECT_GT(seen, 40);
 }
 
 TEST(Layers, ObjectsAreSeenForTheirShareOfThePixel) {
@@ -226,7 +226,7 @@ TEST(Layers, ObjectsAreSeenForTheirShareOfThePixel) {
         EXPECT_GE(channel(frame, "CryptoObject00.g")[i], channel(frame, "CryptoObject00.a")[i]);
         if (channel(frame, "CryptoObject00.a")[i] > 0.01F) ++mixed;
     }
-    EXPECT_GT(mixed, 50);
+    EXPECT_GT(mixed, 30);
     EXPECT_TRUE(std::ranges::any_of(std::views::iota(std::size_t{0}, frame.rgba.size()),
                                     [&](std::size_t i) { return shows_only(frame, i, "lake"); }));
 }
@@ -260,9 +260,9 @@ TEST(Layers, ClassesOfTheGroundAreObjectsToo) {
         EXPECT_TRUE(shows_only(frame, i, there)) << i << there;
         ++seen[there];
     }
-    EXPECT_GT(seen["water"], 50);
-    EXPECT_GT(seen["42"], 50);
-    EXPECT_GT(seen["terrain"], 50);
+    EXPECT_GT(seen["water"], 20);
+    EXPECT_GT(seen["42"], 20);
+    EXPECT_GT(seen["terrain"], 20);
 }
 
 // Root mean square difference of a channel, as a share of the values that it has.
@@ -288,8 +288,8 @@ std::vector<float> weighted(const Frame& frame, const std::string& name) {
 // Every layer but those that say how it was found.
 void expect_the_mean_of_many_looks(const std::vector<std::string>& how, double bound) {
     std::vector<std::string> lines = how, looks = how;
-    lines.insert(lines.end(), {"sampling.lines=16"});
-    looks.insert(looks.end(), {"sampling.tracer=discrete", "sampling.samples=256"});
+    lines.insert(lines.end(), {"sampling.lines=12"});
+    looks.insert(looks.end(), {"sampling.tracer=discrete", "sampling.samples=144"});
     const Frame by_lines = hill().rendered(lines), by_looks = hill().rendered(looks);
     for (const LayerChannel& c : by_looks.layers) {
         const Layer layer = *layer_of_channel(c.name);
