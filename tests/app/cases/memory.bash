@@ -41,21 +41,3 @@ same_frames_with_little_memory() {  # same_frames_with_little_memory ARGUMENT...
 
 case_drifting_lines_make_the_same_frames_of_any() { same_frames_with_little_memory; }
 case_standing_lines_make_the_same_frames_of_any() { same_frames_with_little_memory --set sampling.drift_px=0; }
-
-# The folder goes while frames are rendered: one line, and nothing of it comes back.
-case_a_folder_that_vanishes_ends_the_render() {
-    small_shot
-    sed -i 's/count: 6/rate: 48/; s/lines: 1/lines: 16/' shot.yaml
-    "$OVERFLY" render shot.yaml --quiet >stdout 2>stderr &
-    local render=$!
-    first_frame() { compgen -G 'out/*.exr' >/dev/null; }
-    wait_until 100 first_frame
-    mv out kept
-    exit_code=0
-    wait "$render" || exit_code=$?
-    expect_exit 2
-    expect_equal 'lines' "$(wc -l <stderr)" 1
-    expect_match stderr '^out.*: can.t be written'
-    expect test ! -e out
-    expect_clean_folder kept
-}
