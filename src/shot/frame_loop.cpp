@@ -28,7 +28,7 @@ class Loop {
             throw;
         }
         loop_->writer.finish();
-        return std::move(result_);
+        return result_;
     }
 
   private:
