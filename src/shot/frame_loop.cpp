@@ -128,7 +128,10 @@ class Loop {
 TracedFrames run_frames(const FrameLoop& loop) { return Loop(loop).run(); }
 
 std::size_t windows_of(std::size_t frames, std::size_t films) {
-    const std::size_t longest = films / 2;
+    // Each window costs lines that are set out anew, so that where memory is short it is better spent on long windows:
+    // before the next one all threads write then, and none is idle but at the very end.
+    constexpr std::size_t kBeside = 2;
+    const std::size_t longest = std::max(films / 2, films - std::min(films, kBeside));
     return (frames + longest - 1) / longest;
 }
 

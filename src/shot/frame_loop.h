@@ -36,7 +36,8 @@ struct TracedFrames {
 // then is listed. GUARANTEES: frames are the same to the bit for any number of films.
 TracedFrames run_frames(const FrameLoop& loop);
 
-// How many windows so many frames of a piece go by in: one is traced while another is written.
+// How many windows so many frames of a piece go by in, of about as many frames each. Half of the films are for those
+// that are being written, but never more than two.
 [[nodiscard]] std::size_t windows_of(std::size_t frames, std::size_t films);
 
 // How many films there is work for: with two windows of all frames of a piece nobody waits.

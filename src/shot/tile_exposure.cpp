@@ -16,7 +16,7 @@ constexpr double kLastPhase = 0x1.fffffffffffffp-1;
 
 // Exposures in a row that lines are followed through before they set out anew. The more, the less setting out costs at
 // a high frame rate; the fewer, the less is followed in vain where memory allows for a few frames at once only.
-constexpr std::size_t kLongestWalk = 32;
+constexpr std::size_t kLongestWalk = 128;
 
 SceneShader::Sighting sighting(const TileSamples& lines, std::size_t i, const SurfaceSegment* seen,
                                const SurfaceSegmentLists& lists) {
