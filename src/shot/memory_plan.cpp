@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/parallel.h"
+#include "film/film_frame.h"
 #include "film/quantities.h"
 #include "shot/frame_loop.h"
 
@@ -96,6 +98,14 @@ MemoryPlan plan_memory(const ShotDocument& shot, const SceneMemory& scene, const
     }
     while (plan.frames < frames.most && plan.bytes_with(plan.frames + 1) <= plan.allowed_bytes) ++plan.frames;
     return plan;
+}
+
+void require_memory(const ShotDocument& shot, const Stage& stage, const ShotBodies& bodies) {
+    SceneSizes sizes = sizes_of(shot, stage, bodies);
+    sizes.triangles = 0;
+    const FilmFrame row(shot.image.width, 1, FilmFrame::Weights::AddUp, FactKinds(shot.layers));
+    const std::size_t frame_bytes = row.memory_bytes() * static_cast<std::size_t>(shot.image.height);
+    static_cast<void>(plan_memory(shot, scene_memory(sizes), {frame_bytes, thread_limit(), kFewestFilms}));
 }
 
 }  // namespace overfly

@@ -52,4 +52,8 @@ struct MemoryPlan {
 // little for kFewestFilms (frame_loop.h), with the least that would do.
 [[nodiscard]] MemoryPlan plan_memory(const ShotDocument& shot, const SceneMemory& scene, const FramesInMemory& frames);
 
+// Throws what plan_memory will throw anyway, whatever the mesh for the flight will be: before work is done for nothing.
+// REQUIRES: the stage still has its full mesh.
+void require_memory(const ShotDocument& shot, const Stage& stage, const ShotBodies& bodies);
+
 }  // namespace overfly

@@ -154,9 +154,10 @@ RenderResult render_shot(const ShotDocument& shot, const RenderOptions& asked) {
     const std::string inputs = shot_inputs_hash(shot, stage.terrain().scene.content_hash);
     SequenceManifest manifest(shot.output.folder, shot.output.name, inputs);
     const std::vector<PlannedFrame> missing = frames_to_render(rendering, wanted, inputs, manifest);
-    // Before the folder is made, so that a body that is refused leaves nothing behind.
+    // Before the folder is made, so that what is refused leaves nothing behind.
     const ShotBodies bodies = missing.empty() ? ShotBodies{} : make_bodies(shot, stage);
     for (const std::string& note : mesh_notes(bodies)) rendering.say(note);
+    if (!missing.empty()) require_memory(shot, stage, bodies);
     make_folder(shot.output.folder);
     remove_abandoned_files(shot.output.folder);
     std::vector<InputFile> files;

@@ -5,7 +5,7 @@ least_memory() {
     run render shot.yaml --threads 1 --quiet "$@" --set memory_gb=0.001
     expect_exit 2
     expect_match stderr '^shot[.]yaml: memory_gb: got 0[.]001, but [0-9.]+ is the least: [0-9.]+ GB for the scene, and two frames of '
-    expect test -z "$(ls out)"
+    expect test ! -e out
     least=$(sed -E 's/.*but ([0-9.]+) is the least.*/\1/' stderr)
 }
 
