@@ -16,8 +16,17 @@ constexpr float kPiecesPerCell = 4.0F, kPiecesAtFirst = 3.0F;
 // What is swept faster is a blur that nobody sees the grain of.
 constexpr float kMostPieces = 64.0F;
 
-// The sky is smooth, but not where a few pixels are a large part of it.
-constexpr int kPixelsPerSkyPiece = 4, kMostSkyPieces = 16;
+// The sky is smooth, but not near the horizon: pieces are halved until their middles are where straight ones have them,
+// up to a share of their light. What is left of the error then is a sixth of that.
+constexpr int kPixelsPerSkyPiece = 8, kMostSkyPieces = 32;
+constexpr float kSkyError = 1e-3F;
+
+bool is_near(Float4 guess, Float4 sky) {
+    for (int c = 0; c < 3; ++c) {
+        if (std::abs(guess[c] - sky[c]) > kSkyError * sky[c]) return false;
+    }
+    return true;
+}
 
 // A run that turns its edge to the eye passes nobody knows how many.
 int pieces_of(float cells) {
@@ -46,22 +55,34 @@ void LineDeposits::add_ground(const SceneShader::Sighting& sighting, TimeRange w
 }
 
 bool LineDeposits::add_sky(const SceneShader::Sighting& sighting, TimeRange when, const PixelRun& to) {
-    const int pieces = std::min((to.count + kPixelsPerSkyPiece - 1) / kPixelsPerSkyPiece, kMostSkyPieces);
     std::array<Float4, kMostSkyPieces + 1> nodes;
     float alpha = 1.0F;
     std::optional<bool> is_ground;
-    const auto time_at = [&](int i) { return when.begin_s + when.duration_s() * i / pieces; };
-    for (int i = 0; i <= pieces; ++i) {
-        const SceneShader::Behind behind = shader_->behind_air(*camera_, {sighting, time_at(i)});
+    // Whether it is like those before: all of the sky, or all of the Earth.
+    const auto look = [&](Float4& node, double share) {
+        const SceneShader::Behind behind =
+            shader_->behind_air(*camera_, {sighting, when.begin_s + when.duration_s() * share});
         if (is_ground.value_or(behind.air.has_value()) != behind.air.has_value()) return false;
         is_ground = behind.air.has_value();
         const Radiance seen = shader_->through_air(behind);
-        nodes[static_cast<std::size_t>(i)] = Float4{seen.colour.r, seen.colour.g, seen.colour.b, seen.depth_m};
+        node = Float4{seen.colour.r, seen.colour.g, seen.colour.b, seen.depth_m};
         alpha = seen.alpha;
+        return true;
+    };
+    std::size_t pieces = static_cast<std::size_t>(std::min(1 + to.count / kPixelsPerSkyPiece, kMostSkyPieces / 2));
+    for (std::size_t i = 0; i <= pieces; ++i) {
+        if (!look(nodes[i], static_cast<double>(i) / static_cast<double>(pieces))) return false;
     }
-    const std::size_t count = static_cast<std::size_t>(pieces) + 1;
-    deposit(std::span(nodes).first(count), alpha, to);
-    if (facts_.wanted()) add_sky_facts(sighting, when, pieces, to);
+    for (bool is_straight = false; !is_straight && 2 * pieces <= kMostSkyPieces; pieces *= 2) {
+        is_straight = true;
+        for (std::size_t i = pieces; i > 0; --i) nodes[2 * i] = nodes[i];
+        for (std::size_t i = 1; i < 2 * pieces; i += 2) {
+            if (!look(nodes[i], static_cast<double>(i) / static_cast<double>(2 * pieces))) return false;
+            is_straight = is_straight && is_near(0.5F * (nodes[i - 1] + nodes[i + 1]), nodes[i]);
+        }
+    }
+    deposit(std::span(nodes).first(pieces + 1), alpha, to);
+    if (facts_.wanted()) add_sky_facts(sighting, when, static_cast<int>(pieces), to);
     return true;
 }
 
