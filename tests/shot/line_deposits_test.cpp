@@ -106,8 +106,8 @@ void expect_the_mean_of_many_looks(double pixel_error) {
     const double rms = std::sqrt(squares / count);
     std::cout << count << " pixels of runs: RMS " << rms << ", at most " << largest << "\n";
     EXPECT_GT(count, 1000);
-    EXPECT_LT(rms, 1e-3);
-    EXPECT_LT(largest, 0.03);
+    EXPECT_LT(rms, 2e-4);
+    EXPECT_LT(largest, 0.005);
 }
 
 TEST(LineDeposits, AreTheMeanOfManyLooksOnTheFullMesh) { expect_the_mean_of_many_looks(0.0); }
