@@ -29,6 +29,9 @@ std::vector<Float4> of_each(std::size_t count, const auto& value) {
 }
 
 Float4 four(Rgb c) { return Float4{c.r, c.g, c.b, 0.0F}; }
+Float4 four(Vector<Scene> v) {
+    return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
+}
 
 }  // namespace
 
@@ -50,24 +53,19 @@ GroundFacts ground_facts(const ShotDocument& shot, const Stage& stage, const Gro
     const Quantities wanted = Quantities(shot.layers);
     const SampleGrid grid(mesh);
     GroundFacts facts(grid);
-    const std::size_t count = mesh.positions.size();
+    const auto add = [&](GroundFacts::Kind kind, const auto& at_vertex) {
+        facts.add(kind, grid, of_each(mesh.positions.size(), at_vertex));
+    };
     if (wanted.has(Quantity::Normal)) {
         const std::vector<Vector<Scene>> normals = vertex_normals(mesh);
-        facts.add(GroundFacts::Kind::Normal, grid, of_each(count, [&](std::size_t v) {
-                      const Vector<Scene>& n = normals[v];
-                      return Float4{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z), 0.0F};
-                  }));
+        add(GroundFacts::Kind::Normal, [&](std::size_t v) { return four(normals[v]); });
     }
-    if (wanted.has(Quantity::Geodetic)) {
-        facts.add(GroundFacts::Kind::Geodetic, grid,
-                  of_each(count, [&](std::size_t v) { return geodetic_fact(stage, mesh.positions[v]); }));
-    }
+    if (wanted.has(Quantity::Geodetic))
+        add(GroundFacts::Kind::Geodetic, [&](std::size_t v) { return geodetic_fact(stage, mesh.positions[v]); });
     if (wanted.has(Quantity::Albedo))
-        facts.add(GroundFacts::Kind::Albedo, grid,
-                  of_each(count, [&](std::size_t v) { return four(light.albedo[v]); }));
+        add(GroundFacts::Kind::Albedo, [&](std::size_t v) { return four(light.albedo[v]); });
     if (wanted.has(Quantity::Direct) || wanted.has(Quantity::Shadow))
-        facts.add(GroundFacts::Kind::Sunlight, grid,
-                  of_each(count, [&](std::size_t v) { return four(light.sunlight[v]); }));
+        add(GroundFacts::Kind::Sunlight, [&](std::size_t v) { return four(light.sunlight[v]); });
     if (!objects.of_vertices().empty()) facts.add_objects(grid, objects.of_vertices());
     return facts;
 }
