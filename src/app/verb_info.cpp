@@ -2,6 +2,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -130,7 +131,7 @@ std::string info_text(const FrameInfo& info) {
     lines.add("flight", f.flight);
     lines.add("inputs", f.inputs);
     lines.add("software", f.software);
-    lines.add("layer files", layer_names(f.layer_files));
+    lines.add("layer files", fmt::format("{}", fmt::join(names_of(f.layer_files), " ")));
     return lines.text() + channel_table(info.channels) + object_table(info.objects);
 }
 
@@ -157,14 +158,6 @@ Json attitude_json(const std::optional<Attitude>& attitude) {
 
 Json document_json(const NamedDocument& document) { return {{"name", document.name}, {"sha256", document.sha256}}; }
 
-Json layers_json(LayerSet layers) {
-    Json names = Json::array();
-    for (const LayerKind& kind : layer_kinds()) {
-        if (layers.has(kind.layer)) names.push_back(kind.name);
-    }
-    return names;
-}
-
 Json info_json(const FrameInfo& info) {
     const FrameFacts& f = info.facts;
     return {
@@ -189,7 +182,7 @@ Json info_json(const FrameInfo& info) {
          {{"shot", document_json(f.shot)}, {"terrain", document_json(f.terrain)}, {"flight", document_json(f.flight)}}},
         {"inputs", f.inputs},
         {"software", f.software},
-        {"layer_files", layers_json(f.layer_files)},
+        {"layer_files", names_of(f.layer_files)},
         {"channels", channels_json(info.channels)},
         {"objects", objects_json(info.objects)}};
 }

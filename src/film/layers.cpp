@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace overfly {
 namespace {
@@ -80,6 +81,25 @@ constexpr LayerSet kGeo = {Layer::Longitude, Layer::Latitude, Layer::Elevation,
 }  // namespace
 
 std::span<const LayerKind> layer_kinds() { return kKinds; }
+
+std::vector<LayerKind> kinds_of(LayerSet layers) {
+    std::vector<LayerKind> kinds;
+    std::ranges::copy_if(layer_kinds(), std::back_inserter(kinds),
+                         [&](const LayerKind& kind) { return layers.has(kind.layer); });
+    return kinds;
+}
+
+std::vector<std::string> names_of(LayerSet layers) {
+    std::vector<std::string> names;
+    for (const LayerKind& kind : kinds_of(layers)) names.emplace_back(kind.name);
+    return names;
+}
+
+LayerSet layers_of(std::span<const std::string> names) {
+    LayerSet layers;
+    for (const std::string& name : names) layers.add(layers_named(name).value_or(LayerSet{}));
+    return layers;
+}
 
 std::optional<Layer> layer_of_channel(std::string_view channel) {
     const auto* const found = std::ranges::find_if(kKinds, [&](const LayerKind& kind) {

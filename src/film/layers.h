@@ -4,7 +4,9 @@
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "film/frame_storage.h"
 
@@ -73,6 +75,12 @@ struct LayerKind {
 // All of them, in the order of Layer.
 [[nodiscard]] std::span<const LayerKind> layer_kinds();
 [[nodiscard]] inline const LayerKind& kind_of(Layer layer) { return layer_kinds()[static_cast<std::size_t>(layer)]; }
+
+// Those in a set, in the order of Layer, and how they are called.
+[[nodiscard]] std::vector<LayerKind> kinds_of(LayerSet layers);
+[[nodiscard]] std::vector<std::string> names_of(LayerSet layers);
+// Of such names. Those that are none are of a later version, and passed over.
+[[nodiscard]] LayerSet layers_of(std::span<const std::string> names);
 
 // The one that has a channel of this name; nothing for R, G, B, A, Z and what else is none.
 [[nodiscard]] std::optional<Layer> layer_of_channel(std::string_view channel);

@@ -1,8 +1,12 @@
 #include "io/frame_facts.h"
 
 #include <cmath>
+#include <iterator>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfFloatAttribute.h>
@@ -101,7 +105,8 @@ void take_camera(const Attributes& attributes, FrameFacts& facts) {
 }
 
 void take_origin(const Attributes& attributes, FrameFacts& facts) {
-    facts.layer_files = layers_of_names(attributes.text(kLayerFilesAttribute));
+    std::istringstream files(attributes.text(kLayerFilesAttribute));
+    facts.layer_files = layers_of(std::vector(std::istream_iterator<std::string>(files), {}));
     facts.objects = attributes.text(kObjectsAttribute);
     facts.software = attributes.text("Software");
     facts.inputs = attributes.text(kInputsAttribute);

@@ -1,7 +1,5 @@
 #include "io/layer_attributes.h"
 
-#include <sstream>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -13,9 +11,9 @@ namespace {
 
 std::string meanings(const FrameHeader& header) {
     std::string text = header.is_of_a_layer ? "" : fmt::format("Z: {}\n", kDepthMeaning);
-    for (const LayerKind& kind : layer_kinds()) {
-        const bool is_here = header.layers.has(kind.layer) && !header.layer_files.has(kind.layer);
-        if (is_here) text += fmt::format("{}: {}\n", fmt::join(kind.channels, " "), kind.meaning);
+    for (const LayerKind& kind : kinds_of(header.layers)) {
+        if (!header.layer_files.has(kind.layer))
+            text += fmt::format("{}: {}\n", fmt::join(kind.channels, " "), kind.meaning);
     }
     return text;
 }
@@ -31,24 +29,10 @@ void append_cryptomatte(std::vector<FrameAttribute>& attributes, const std::stri
 
 }  // namespace
 
-std::string layer_names(LayerSet layers) {
-    std::string names;
-    for (const LayerKind& kind : layer_kinds()) {
-        if (layers.has(kind.layer)) names += fmt::format("{}{}", names.empty() ? "" : " ", kind.name);
-    }
-    return names;
-}
-
-LayerSet layers_of_names(const std::string& names) {
-    LayerSet layers;
-    std::istringstream words(names);
-    for (std::string word; words >> word;) layers.add(layers_named(word).value_or(LayerSet{}));
-    return layers;
-}
-
 void append_layers(std::vector<FrameAttribute>& attributes, const FrameHeader& header) {
     attributes.push_back({kLayersAttribute, meanings(header)});
-    if (!header.layer_files.empty()) attributes.push_back({kLayerFilesAttribute, layer_names(header.layer_files)});
+    if (!header.layer_files.empty())
+        attributes.push_back({kLayerFilesAttribute, fmt::format("{}", fmt::join(names_of(header.layer_files), " "))});
     if (!header.layers.has_any({Layer::Id, Layer::Cryptomatte})) return;
     const std::string manifest = cryptomatte_manifest(header.objects);
     attributes.push_back({kObjectsAttribute, manifest});

@@ -15,10 +15,6 @@ inline constexpr const char* kLayerFilesAttribute = "overfly:layerFiles";
 // As Cryptomatte's manifest, for whoever looks up the numbers of the layer `id`.
 inline constexpr const char* kObjectsAttribute = "overfly:objects";
 
-// As kLayerFilesAttribute has them. Names that are none are passed over: they may be those of a later version.
-[[nodiscard]] std::string layer_names(LayerSet layers);
-[[nodiscard]] LayerSet layers_of_names(const std::string& names);
-
 void append_layers(std::vector<FrameAttribute>& attributes, const FrameHeader& header);
 
 // JSON: each name with its number in 8 hexadecimal digits, by name. Bytes that are no UTF-8 are replaced.

@@ -29,9 +29,7 @@ std::optional<LayerSequence> layer_sequence(const std::string& name) {
 
 std::vector<std::filesystem::path> files_of_frame(const std::filesystem::path& frame, LayerSet own_files) {
     std::vector<std::filesystem::path> files;
-    for (const LayerKind& kind : layer_kinds()) {
-        if (own_files.has(kind.layer)) files.push_back(layer_file(frame, kind.layer));
-    }
+    for (const LayerKind& kind : kinds_of(own_files)) files.push_back(layer_file(frame, kind.layer));
     files.push_back(frame);
     return files;
 }
@@ -64,8 +62,7 @@ FrameChannels read_all_channels(const std::filesystem::path& frame) {
 std::vector<FrameContent> contents_of(const std::filesystem::path& frame, const StoredPixels& pixels,
                                       const FrameHeader& header) {
     std::vector<FrameContent> contents;
-    for (const LayerKind& kind : layer_kinds()) {
-        if (!header.layer_files.has(kind.layer)) continue;
+    for (const LayerKind& kind : kinds_of(header.layer_files)) {
         FrameHeader own = header;
         own.layers = {kind.layer};
         own.layer_files = {};

@@ -84,21 +84,6 @@ ManifestSampling sampling_of(const Json& json) {
             json.at("drift_px").get<double>(), json.at("error").get<double>()};
 }
 
-Json json_of(LayerSet layers) {
-    Json names = Json::array();
-    for (const LayerKind& kind : layer_kinds()) {
-        if (layers.has(kind.layer)) names.push_back(kind.name);
-    }
-    return names;
-}
-
-// Names that are none are those of a later version.
-LayerSet layers_of(const Json& names) {
-    LayerSet layers;
-    for (const Json& name : names) layers.add(layers_named(name.get<std::string>()).value_or(LayerSet{}));
-    return layers;
-}
-
 Json json_of(const ManifestSequence& s) {
     Json files = Json::array();
     for (const ManifestInput& f : s.files) files.push_back({{"what", f.what}, {"file", f.file}, {"sha256", f.sha256}});
@@ -122,7 +107,7 @@ Json json_of(const ManifestSequence& s) {
             {"sampling", json_of(s.sampling)},
             {"mesh_error", json_of(s.mesh)},
             {"motion_error", json_of(s.motion)},
-            {"layer_files", json_of(s.layer_files)},
+            {"layer_files", names_of(s.layer_files)},
             {"frames", frames}};
 }
 
@@ -150,7 +135,7 @@ ManifestSequence sequence_of(const Json& json) {
     s.sampling = sampling_of(json.at("sampling"));
     s.mesh = bound_of(json.at("mesh_error"));
     s.motion = bound_of(json.at("motion_error"));
-    if (json.contains("layer_files")) s.layer_files = layers_of(json.at("layer_files"));
+    if (json.contains("layer_files")) s.layer_files = layers_of(json.at("layer_files").get<std::vector<std::string>>());
     for (const Json& f : json.at("frames")) s.frames.push_back(frame_of(f));
     std::ranges::sort(s.frames, {}, &ManifestFrame::number);
     return s;

@@ -83,9 +83,7 @@ std::string text_of(const Shutter& shutter) {
 std::string text_of_layers(const ShotDocument& shot, std::vector<std::filesystem::path>& files) {
     if (shot.layers.empty()) return "";
     std::string text = fmt::format("layer files {} layers", shot.output.layer_files);
-    for (const LayerKind& kind : layer_kinds()) {
-        if (shot.layers.has(kind.layer)) text += fmt::format(" {}", kind.name);
-    }
+    for (const std::string& name : names_of(shot.layers)) text += " " + name;
     text += '\n';
     if (!shot.layers.has_any({Layer::Id, Layer::Cryptomatte})) return text;
     for (const BodyDocument& body : shot.bodies) text += fmt::format("called {}\n", body.name);

@@ -15,6 +15,7 @@
 #include "io/layer_attributes.h"
 #include "io/sample_frame.h"
 #include "io/temporary_folder.h"
+#include "io/text_attribute.h"
 
 namespace overfly {
 namespace {
@@ -49,12 +50,6 @@ std::vector<std::string> channels_in(const std::filesystem::path& file) {
     std::vector<std::string> names;
     for (const FrameChannel& channel : read_channels(file).channels) names.push_back(channel.name);
     return names;
-}
-
-std::string attribute(const std::filesystem::path& file, const std::string& name) {
-    const Imf::InputFile input(file.c_str());
-    const auto* const found = input.header().findTypedAttribute<Imf::StringAttribute>(name);
-    return found == nullptr ? "" : found->value();
 }
 
 TEST(LayerFiles, HaveTheNumberAtTheEnd) {
@@ -109,14 +104,14 @@ TEST(LayerFiles, HaveTheWholeHeader) {
         EXPECT_EQ(facts.shot, frame.shot) << file;
     }
     // Each says what is in it, and Cryptomatte's file alone that it is one.
-    const std::string in_frame = attribute(folder / "a.0025.exr", kLayersAttribute);
+    const std::string in_frame = text_attribute(folder / "a.0025.exr", kLayersAttribute);
     EXPECT_THAT(in_frame, HasSubstr("Z: planar"));
     EXPECT_THAT(in_frame, Not(HasSubstr("N.X")));
-    EXPECT_EQ(attribute(folder / "a.N.0025.exr", kLayersAttribute),
+    EXPECT_EQ(text_attribute(folder / "a.N.0025.exr", kLayersAttribute),
               "N.X N.Y N.Z: " + std::string(kind_of(Layer::Normal).meaning) + "\n");
-    EXPECT_EQ(attribute(folder / "a.0025.exr", "cryptomatte/3ae39a5/name"), "");
-    EXPECT_EQ(attribute(folder / "a.cryptomatte.0025.exr", "cryptomatte/3ae39a5/name"), "CryptoObject");
-    EXPECT_EQ(attribute(folder / "a.id.0025.exr", kObjectsAttribute), "{\"torus\":\"f19c73fd\"}");
+    EXPECT_EQ(text_attribute(folder / "a.0025.exr", "cryptomatte/3ae39a5/name"), "");
+    EXPECT_EQ(text_attribute(folder / "a.cryptomatte.0025.exr", "cryptomatte/3ae39a5/name"), "CryptoObject");
+    EXPECT_EQ(text_attribute(folder / "a.id.0025.exr", kObjectsAttribute), "{\"torus\":\"f19c73fd\"}");
 }
 
 TEST(LayerFiles, AreMissedByTheirFrame) {

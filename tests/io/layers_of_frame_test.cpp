@@ -17,6 +17,7 @@
 #include "io/sample_frame.h"
 #include "io/stored_pixels.h"
 #include "io/temporary_folder.h"
+#include "io/text_attribute.h"
 
 namespace overfly {
 namespace {
@@ -34,12 +35,6 @@ FrameHeader header_with(LayerSet layers) {
     FrameHeader header = sample_header();
     header.layers = layers;
     return header;
-}
-
-std::string attribute(const std::filesystem::path& file, const std::string& name) {
-    const Imf::InputFile input(file.c_str());
-    const auto* const found = input.header().findTypedAttribute<Imf::StringAttribute>(name);
-    return found == nullptr ? "" : found->value();
 }
 
 TEST(LayersOfFrame, AreStoredInTheirTypes) {
@@ -132,15 +127,15 @@ TEST(LayersOfFrame, AreExplainedInTheHeader) {
     FrameHeader header = header_with(layers);
     header.objects = {"torus", "glider \"7\""};
     write_frame(folder / "a.exr", frame_with(layers), header);
-    const std::string meanings = attribute(folder / "a.exr", kLayersAttribute);
+    const std::string meanings = text_attribute(folder / "a.exr", kLayersAttribute);
     EXPECT_THAT(meanings, HasSubstr("Z: planar distance along the view axis in metres, nearest"));
     EXPECT_THAT(meanings, HasSubstr("\nN.X N.Y N.Z: normal in the scene"));
     EXPECT_THAT(meanings, Not(HasSubstr("range")));
-    EXPECT_EQ(attribute(folder / "a.exr", "cryptomatte/3ae39a5/name"), "CryptoObject");
-    EXPECT_EQ(attribute(folder / "a.exr", "cryptomatte/3ae39a5/hash"), "MurmurHash3_32");
-    EXPECT_EQ(attribute(folder / "a.exr", "cryptomatte/3ae39a5/conversion"), "uint32_to_float32");
+    EXPECT_EQ(text_attribute(folder / "a.exr", "cryptomatte/3ae39a5/name"), "CryptoObject");
+    EXPECT_EQ(text_attribute(folder / "a.exr", "cryptomatte/3ae39a5/hash"), "MurmurHash3_32");
+    EXPECT_EQ(text_attribute(folder / "a.exr", "cryptomatte/3ae39a5/conversion"), "uint32_to_float32");
     EXPECT_EQ(
-        attribute(folder / "a.exr", "cryptomatte/3ae39a5/manifest"),
+        text_attribute(folder / "a.exr", "cryptomatte/3ae39a5/manifest"),
         "{\"glider \\\"7\\\"\":\"" + cryptomatte_hex(cryptomatte_id("glider \"7\"")) + "\",\"torus\":\"f19c73fd\"}");
 }
 
@@ -149,8 +144,8 @@ TEST(LayersOfFrame, HaveNothingOfCryptomatteWithoutIt) {
     FrameHeader header = header_with({Layer::Id});
     header.objects = {"torus"};
     write_frame(folder / "a.exr", frame_with({Layer::Id}), header);
-    EXPECT_EQ(attribute(folder / "a.exr", "cryptomatte/3ae39a5/manifest"), "");
-    EXPECT_EQ(attribute(folder / "a.exr", kObjectsAttribute), "{\"torus\":\"f19c73fd\"}");
+    EXPECT_EQ(text_attribute(folder / "a.exr", "cryptomatte/3ae39a5/manifest"), "");
+    EXPECT_EQ(text_attribute(folder / "a.exr", kObjectsAttribute), "{\"torus\":\"f19c73fd\"}");
 }
 
 // Two ways: OpenEXR has the same hash for its own manifests.
