@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/colour.h"
 #include "core/float4.h"
+#include "core/geometry.h"
 #include "film/layers.h"
 
 namespace overfly {
@@ -51,6 +53,13 @@ class Quantities {
     std::array<Quantity, kQuantities> wanted_{};
     std::array<std::int8_t, kQuantities> slots_{};  // from 1 on; 0: not wanted
 };
+
+// As a quantity holds it.
+[[nodiscard]] inline Float4 four(Rgb c) { return Float4{c.r, c.g, c.b, 0.0F}; }
+template <class Frame>
+[[nodiscard]] Float4 four(Vector<Frame> v) {
+    return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
+}
 
 // All that is told at one instant, in the order of some Quantities.
 using Told = std::array<Float4, kQuantities>;

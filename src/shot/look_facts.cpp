@@ -8,10 +8,6 @@ namespace {
 // So far away a point stands for a direction, whichever way the camera goes meanwhile.
 constexpr double kFar_m = 1e10;
 
-Float4 four(Rgb c) { return Float4{c.r, c.g, c.b, 0.0F}; }
-Float4 four(Vector<Scene> v) {
-    return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
-}
 Rgb rgb(Float4 v) { return {v[0], v[1], v[2]}; }
 Rgb less(Rgb a, Rgb b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
 

@@ -28,11 +28,6 @@ std::vector<Float4> of_each(std::size_t count, const auto& value) {
     return out;
 }
 
-Float4 four(Rgb c) { return Float4{c.r, c.g, c.b, 0.0F}; }
-Float4 four(Vector<Scene> v) {
-    return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
-}
-
 }  // namespace
 
 Float4 geodetic_fact(const Stage& stage, Point<Scene> p) {
