@@ -37,4 +37,8 @@ std::size_t FilmFrame::memory_bytes() const {
            facts_.memory_bytes();
 }
 
+std::size_t FilmFrame::memory_bytes(int width, int height, Weights weights, const FactKinds& kinds) {
+    return FilmFrame(width, 1, weights, kinds).memory_bytes() * static_cast<std::size_t>(height);
+}
+
 }  // namespace overfly

@@ -65,6 +65,8 @@ class FilmFrame {
 
     [[nodiscard]] ExposedFrame develop() &&;
     [[nodiscard]] std::size_t memory_bytes() const;
+    // Of one that is made like this.
+    [[nodiscard]] static std::size_t memory_bytes(int width, int height, Weights weights, const FactKinds& kinds);
 
   private:
     Frame frame_;

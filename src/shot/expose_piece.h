@@ -45,14 +45,17 @@ struct Exposing {
     }
     // Of one that nobody has told anything yet.
     [[nodiscard]] std::size_t film_bytes() const {
-        return film_of(size.width, 1, {}).memory_bytes() * static_cast<std::size_t>(size.height);
+        return FilmFrame::memory_bytes(size.width, size.height, weights(), kinds());
     }
     // With room for the weights of this filter, and for what the shader's layers are told.
     [[nodiscard]] FilmFrame film_of(int width, int height, const FrameSteps& steps) const {
-        return {width, height, filter != nullptr ? FilmFrame::Weights::AreCounted : FilmFrame::Weights::AddUp,
-                shader.facts() != nullptr ? shader.facts()->kinds : FactKinds(), steps};
+        return {width, height, weights(), kinds(), steps};
     }
     [[nodiscard]] FrameSteps steps_of(const PlannedFrame& frame) const;
+    [[nodiscard]] FilmFrame::Weights weights() const {
+        return filter != nullptr ? FilmFrame::Weights::AreCounted : FilmFrame::Weights::AddUp;
+    }
+    [[nodiscard]] FactKinds kinds() const { return shader.facts() != nullptr ? shader.facts()->kinds : FactKinds(); }
 };
 
 // Told after each tile of a piece: which share of it is done.

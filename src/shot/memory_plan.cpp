@@ -103,8 +103,8 @@ MemoryPlan plan_memory(const ShotDocument& shot, const SceneMemory& scene, const
 void require_memory(const ShotDocument& shot, const Stage& stage, const ShotBodies& bodies) {
     SceneSizes sizes = sizes_of(shot, stage, bodies);
     sizes.triangles = 0;
-    const FilmFrame row(shot.image.width, 1, FilmFrame::Weights::AddUp, FactKinds(shot.layers));
-    const std::size_t frame_bytes = row.memory_bytes() * static_cast<std::size_t>(shot.image.height);
+    const std::size_t frame_bytes =
+        FilmFrame::memory_bytes(shot.image.width, shot.image.height, FilmFrame::Weights::AddUp, FactKinds(shot.layers));
     static_cast<void>(plan_memory(shot, scene_memory(sizes), {frame_bytes, thread_limit(), kFewestFilms}));
 }
 
