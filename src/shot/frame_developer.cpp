@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
+#include "core/error.h"
 #include "film/cryptomatte.h"
 #include "shot/pixel_tile.h"
 
@@ -20,6 +23,33 @@ constexpr float kLeastCoverage = 1e-5F;
 Vector<Scene> vector_of(Float4 v) { return {v[0], v[1], v[2]}; }
 double angle_deg(Vector<Scene> a, Vector<Scene> b) { return kDegrees * std::atan2(length(cross(a, b)), dot(a, b)); }
 
+// A layer that is an average: the numbers of a quantity from `first` on, over all of the pixel or over what of it shows
+// a surface.
+enum class Over : std::uint8_t { Whole, Surfaces };
+struct Average {
+    Layer layer;
+    Quantity quantity;
+    std::size_t first = 0;
+    Over over = Over::Whole;
+};
+constexpr Average kAverages[] = {
+    {Layer::Mean, Quantity::Surface, 1, Over::Surfaces},
+    {Layer::Coverage, Quantity::Surface},
+    {Layer::Normal, Quantity::Normal, 0, Over::Surfaces},
+    {Layer::Position, Quantity::Position, 0, Over::Surfaces},
+    {Layer::Motion, Quantity::Motion},
+    {Layer::Albedo, Quantity::Albedo},
+    {Layer::Direct, Quantity::Direct},
+    {Layer::Shadow, Quantity::Shadow},
+    {Layer::Sky, Quantity::Sky},
+    {Layer::Haze, Quantity::Haze},
+    {Layer::Background, Quantity::Background},
+    {Layer::Reflection, Quantity::Reflection},
+    {Layer::Elevation, Quantity::Geodetic, 2, Over::Surfaces},
+    {Layer::Density, Quantity::Effort, 0},
+    {Layer::Cost, Quantity::Effort, 1},
+};
+
 // The layers of one frame, made of what lines have told.
 class LayerMaker {
   public:
@@ -33,54 +63,13 @@ class LayerMaker {
           frame_(frame) {}
 
     void add(Layer layer) {
-        switch (layer) {
-            case Layer::Range:
-                return add_channels(layer, [&](std::size_t i, std::size_t) { return range_m(i); });
-            case Layer::Mean:
-                return add_surface(layer, Quantity::Surface, 1);
-            case Layer::Coverage:
-                return add_channels(layer, [&](std::size_t i, std::size_t) { return coverage(i); });
-            case Layer::Normal:
-                return add_surface(layer, Quantity::Normal, 0);
-            case Layer::Position:
-                return add_surface(layer, Quantity::Position, 0);
-            case Layer::Motion:
-                return add_all(layer, Quantity::Motion, 0);
-            case Layer::Albedo:
-                return add_all(layer, Quantity::Albedo, 0);
-            case Layer::Direct:
-                return add_all(layer, Quantity::Direct, 0);
-            case Layer::Shadow:
-                return add_all(layer, Quantity::Shadow, 0);
-            case Layer::Sky:
-                return add_all(layer, Quantity::Sky, 0);
-            case Layer::Haze:
-                return add_all(layer, Quantity::Haze, 0);
-            case Layer::Background:
-                return add_all(layer, Quantity::Background, 0);
-            case Layer::Reflection:
-                return add_all(layer, Quantity::Reflection, 0);
-            case Layer::Longitude:
-                return add_channels(layer, [&](std::size_t i, std::size_t) { return geodetic(i, 0); });
-            case Layer::Latitude:
-                return add_channels(layer, [&](std::size_t i, std::size_t) { return geodetic(i, 1); });
-            case Layer::Elevation:
-                return add_surface(layer, Quantity::Geodetic, 2);
-            case Layer::Slope:
-                return add_channels(layer, [&](std::size_t i, std::size_t) { return slope_deg(i); });
-            case Layer::Aspect:
-                return add_channels(layer, [&](std::size_t i, std::size_t) { return aspect_deg(i); });
-            case Layer::SunIncidence:
-                return add_channels(layer, [&](std::size_t i, std::size_t) { return sun_incidence_deg(i); });
-            case Layer::Id:
-                return add_channels(layer, [&](std::size_t i, std::size_t) { return most_seen(i); });
-            case Layer::Cryptomatte:
-                return add_cryptomatte();
-            case Layer::Density:
-                return add_all(layer, Quantity::Effort, 0);
-            case Layer::Cost:
-                return add_all(layer, Quantity::Effort, 1);
+        if (layer == Layer::Cryptomatte) return add_cryptomatte();
+        for (const Average& average : kAverages) {
+            if (average.layer == layer) return add_average(average);
         }
+        const auto derived = std::ranges::find(kDerived, layer, &Derived::layer);
+        check(derived != std::end(kDerived), "every layer is known how to be made");
+        add_channels(layer, [&](std::size_t i, std::size_t) { return (this->*derived->value)(i); });
     }
 
   private:
@@ -97,13 +86,11 @@ class LayerMaker {
             for (std::size_t i = 0; i < channel.values.size(); ++i) channel.values[i] = value(i, c);
         }
     }
-    // The numbers of a quantity from `first` on, averaged over all of the pixel.
-    void add_all(Layer layer, Quantity q, std::size_t first) {
-        add_channels(layer, [&](std::size_t i, std::size_t c) { return facts_.value(i, q)[first + c]; });
-    }
-    // And over what of it shows a surface.
-    void add_surface(Layer layer, Quantity q, std::size_t first) {
-        add_channels(layer, [&](std::size_t i, std::size_t c) { return of_surface(i, q)[first + c]; });
+    void add_average(const Average& average) {
+        add_channels(average.layer, [&](std::size_t i, std::size_t c) {
+            const bool is_whole = average.over == Over::Whole;
+            return (is_whole ? facts_.value(i, average.quantity) : of_surface(i, average.quantity))[average.first + c];
+        });
     }
     void add_cryptomatte() {
         const LayerKind& kind = kind_of(Layer::Cryptomatte);
@@ -136,10 +123,11 @@ class LayerMaker {
         const double across = tan_half_fov_ * std::hypot(x, y);
         return static_cast<float>(static_cast<double>(depth_m) * std::hypot(1.0, across));
     }
-    [[nodiscard]] float geodetic(std::size_t i, std::size_t which) const {
-        if (!shows_surface(i)) return 0.0F;
-        const Geodetic place = place_of(i);
-        return static_cast<float>((which == 0 ? place.lon : place.lat).degrees());
+    [[nodiscard]] float lon_deg(std::size_t i) const {
+        return shows_surface(i) ? static_cast<float>(place_of(i).lon.degrees()) : 0.0F;
+    }
+    [[nodiscard]] float lat_deg(std::size_t i) const {
+        return shows_surface(i) ? static_cast<float>(place_of(i).lat.degrees()) : 0.0F;
     }
     [[nodiscard]] Geodetic place_of(std::size_t i) const {
         const Float4 v = of_surface(i, Quantity::Geodetic);
@@ -167,6 +155,18 @@ class LayerMaker {
         return most.object == 0 ? 0.0F : cryptomatte_number(object_ids_[most.object]);
     }
 
+    // The layers that are worked out of averages.
+    struct Derived {
+        Layer layer;
+        float (LayerMaker::*value)(std::size_t) const;
+    };
+    static constexpr Derived kDerived[] = {
+        {Layer::Range, &LayerMaker::range_m},     {Layer::Longitude, &LayerMaker::lon_deg},
+        {Layer::Latitude, &LayerMaker::lat_deg},  {Layer::Slope, &LayerMaker::slope_deg},
+        {Layer::Aspect, &LayerMaker::aspect_deg}, {Layer::SunIncidence, &LayerMaker::sun_incidence_deg},
+        {Layer::Id, &LayerMaker::most_seen},
+    };
+
     const FilmFacts& facts_;
     const Stage& stage_;
     Vector<Scene> to_sun_;
@@ -187,9 +187,7 @@ FrameDeveloper::FrameDeveloper(const ShotDocument& shot, const Stage& stage, con
 Frame FrameDeveloper::develop(FilmFrame film, double tan_half_fov) const {
     auto [frame, facts] = std::move(film).develop();
     LayerMaker maker(facts, *stage_, to_sun_, object_ids_, tan_half_fov, frame);
-    for (const LayerKind& kind : layer_kinds()) {
-        if (layers_.has(kind.layer)) maker.add(kind.layer);
-    }
+    for (const LayerKind& kind : kinds_of(layers_)) maker.add(kind.layer);
     return std::move(frame);
 }
 
