@@ -113,6 +113,30 @@ void expect_the_mean_of_many_looks(double pixel_error) {
 TEST(LineDeposits, AreTheMeanOfManyLooksOnTheFullMesh) { expect_the_mean_of_many_looks(0.0); }
 TEST(LineDeposits, AreTheMeanOfManyLooksOnFewTriangles) { expect_the_mean_of_many_looks(0.5); }
 
+// Near the horizon the air thickens so quickly that nodes at fixed distances miss more than half a thousandth of it.
+TEST(LineDeposits, FollowTheSkyDownToTheHorizon) {
+    const GliderView seen(0.5);
+    double largest = 0.0;
+    int count = 0;
+    for (const ImageSample& line : seen.lines) {
+        const SeenRun run{{line.x, line.y, nullptr, seen.lists.reflected}, seen.piece.when};
+        FilmFrame film(kPixels, 1);
+        FilmFrame* const to = &film;
+        if (!LineDeposits(seen.shader, seen.piece, {&to, 1}, 1).add_sky(run.sighting, run.when, kRun)) continue;
+        const Frame frame = std::move(film).develop().frame;
+        if (frame.rgba[0][3] == 0.0F) continue;  // looks down at the round Earth
+        for (int px = 0; px < kPixels; ++px) {
+            const double share = SeenRun::begin_of(px + 1) - SeenRun::begin_of(px);
+            const double green = static_cast<double>(frame.rgba[static_cast<std::size_t>(px)][1]) / share;
+            largest = std::max(largest, std::abs(green / looked_at_often(seen, run, run.in_pixel(px)) - 1.0));
+            ++count;
+        }
+    }
+    std::cout << count << " pixels of sky: at most " << largest << " of their light\n";
+    EXPECT_GT(count, 10'000);
+    EXPECT_LT(largest, 3e-4);
+}
+
 TEST(LineDeposits, AreTheSameOnEveryVectorUnit) {
     const GliderView seen(0.5);
     const std::vector<Frame> best = seen.deposited();
