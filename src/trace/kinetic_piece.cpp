@@ -1,6 +1,4 @@
 #include "trace/kinetic_piece.h"
-#include "trace/silhouette_facing.h"
-#include "trace/silhouette_filter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +7,9 @@
 #include <span>
 
 #include "core/parallel.h"
+#include "flight/film_drift.h"
+#include "trace/silhouette_facing.h"
+#include "trace/silhouette_filter.h"
 
 namespace overfly {
 namespace {
@@ -98,12 +99,17 @@ void KineticPiece::find_silhouettes(const KineticMesh& mesh) {
     for (const std::vector<Silhouette>& part : parts) silhouettes_.insert(silhouettes_.end(), part.begin(), part.end());
 }
 
+std::array<Vector<Scene>, 2> KineticPiece::ends_of(HalfEdgeId half_edge) const {
+    const auto& corner = mesh().triangles[half_edge / 4];
+    const auto place = [&](std::uint32_t k) { return mesh().positions[corner[k]] - motion_->reference; };
+    return {place(half_edge % 4), place((half_edge % 4 + 1) % 3)};
+}
+
 void KineticPiece::add_silhouette(HalfEdgeId half_edge, const FilmCurves& curves, std::vector<Silhouette>& out) const {
     const auto& corner = mesh().triangles[half_edge / 4];
     const VertexId from = corner[half_edge % 4];
     const VertexId to = corner[(half_edge % 4 + 1) % 3];
-    const Vector<Scene> a = mesh().positions[from] - motion_->reference;
-    const Vector<Scene> b = mesh().positions[to] - motion_->reference;
+    const auto [a, b] = ends_of(half_edge);
     const std::optional<FilmBounds> film = edge_on_film(curves, a, b);
     if (!film || !film->overlaps(picture_)) return;
     Silhouette& s = out.emplace_back();
@@ -214,7 +220,25 @@ bool KineticPiece::hides(TriangleId triangle, const Silhouette& silhouette, doub
     return furthest > 0.0 && std::min(a.value - a.doubt, b.value - b.doubt) > furthest;
 }
 
-std::vector<std::uint32_t> KineticPiece::silhouettes_near(const FilmBounds& part) const {
+// Those of the bins may come through the part at any time of the piece, which is often many exposures long.
+std::vector<KineticPiece::Near> KineticPiece::silhouettes_near(const FilmBounds& part, double from_u,
+                                                               double to_u) const {
+    const std::vector<std::uint32_t> binned = binned_near(part);
+    if (binned.empty()) return {};
+    const FilmCurves curves(part_of(*motion_, {motion_->time_at(from_u), motion_->time_at(to_u)}));
+    constexpr auto kRounding = static_cast<double>(kFilmRounding);
+    const FilmBounds wider = {part.low_x - kRounding, part.high_x + kRounding, part.low_y - kRounding,
+                              part.high_y + kRounding};
+    std::vector<Near> near;
+    for (const std::uint32_t s : binned) {
+        const auto [a, b] = ends_of(silhouettes_[s].half_edge);
+        const std::optional<FilmBounds> film = edge_on_film(curves, a, b);
+        if (film && film->overlaps(wider)) near.push_back({s, *film});
+    }
+    return near;
+}
+
+std::vector<std::uint32_t> KineticPiece::binned_near(const FilmBounds& part) const {
     std::vector<std::uint32_t> near;
     const BinRange range = bins_of(part);
     const float low_x = rounded_down(part.low_x);

@@ -64,17 +64,26 @@ class KineticPiece {
     // When the camera passes through the surface, ascending, in the piece's u.
     [[nodiscard]] std::span<const double> surface_passages() const { return surface_passages_; }
 
-    // Which silhouettes a line through this part of the film may pass; ascending, each once.
-    [[nodiscard]] std::vector<std::uint32_t> silhouettes_near(const FilmBounds& part) const;
+    // A silhouette for a while, and where on the film it appears meanwhile.
+    struct Near {
+        std::uint32_t silhouette;
+        FilmBounds film;
+    };
+    // Those that a line through this part of the film may pass, or come near to by kFilmRounding, between two times in
+    // the piece's u; ascending, each once.
+    [[nodiscard]] std::vector<Near> silhouettes_near(const FilmBounds& part, double from_u, double to_u) const;
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
+    // Relative to the motion's reference.
+    [[nodiscard]] std::array<Vector<Scene>, 2> ends_of(HalfEdgeId half_edge) const;
     struct BinRange {
         std::size_t left, right, top, bottom;  // all included
     };
     [[nodiscard]] BinRange bins_of(const FilmBounds& part) const;
     [[nodiscard]] FilmBounds bounds_of(std::size_t column, std::size_t row) const;
+    [[nodiscard]] std::vector<std::uint32_t> binned_near(const FilmBounds& part) const;
     void find_silhouettes(const KineticMesh& mesh);
     void add_silhouette(HalfEdgeId half_edge, const FilmCurves& curves, std::vector<Silhouette>& out) const;
     void fill_bins();

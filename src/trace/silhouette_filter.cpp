@@ -89,7 +89,8 @@ HWY_INLINE std::uint32_t bits_of(hn::Mask<D> mask) {
 
 class Filter {
   public:
-    Filter(const Silhouette& s, double begin_u) : s_(&s), film_(s.film), begin_u_(static_cast<float>(begin_u)) {}
+    Filter(const Silhouette& s, const FilmBounds& film, double begin_u)
+        : s_(&s), film_(film), begin_u_(static_cast<float>(begin_u)) {}
 
     // Which of the packets have any sample within reach.
     [[nodiscard]] bool may_pass(const FilmBounds& packet) const { return film_.overlaps(packet); }
@@ -167,9 +168,9 @@ class Filter {
     float begin_u_;
 };
 
-void append(const Silhouette& silhouette, double begin_u, const FilmPlaces& places,
+void append(const Silhouette& silhouette, const FilmBounds& film, double begin_u, const FilmPlaces& places,
             std::vector<PassingPlace>& passing) {
-    const Filter filter(silhouette, begin_u);
+    const Filter filter(silhouette, film, begin_u);
     const D d;
     const std::size_t lanes = hn::Lanes(d);
     for (std::size_t first = 0; first < places.count; first += lanes) {
@@ -193,9 +194,9 @@ void append(const Silhouette& silhouette, double begin_u, const FilmPlaces& plac
 
 }  // namespace silhouette_filter
 
-void append_passing_places(const Silhouette& silhouette, double begin_u, const FilmPlaces& places,
-                           std::vector<PassingPlace>& passing) {
-    silhouette_filter::append(silhouette, begin_u, places, passing);
+void append_passing_places(const Silhouette& silhouette, const FilmBounds& film, double begin_u,
+                           const FilmPlaces& places, std::vector<PassingPlace>& passing) {
+    silhouette_filter::append(silhouette, film, begin_u, places, passing);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -219,9 +220,9 @@ FilmPlaces::FilmPlaces(std::span<const ImageSample> samples) : count(samples.siz
         bounds.push_back(film_bounds(samples.subspan(first, std::min(kTogether, count - first))));
 }
 
-void append_passing(const Silhouette& silhouette, double begin_u, const FilmPlaces& places,
+void append_passing(const Silhouette& silhouette, const FilmBounds& film, double begin_u, const FilmPlaces& places,
                     std::vector<PassingPlace>& passing) {
-    HWY_DYNAMIC_DISPATCH(append_passing_places)(silhouette, begin_u, places, passing);
+    HWY_DYNAMIC_DISPATCH(append_passing_places)(silhouette, film, begin_u, places, passing);
 }
 }  // namespace overfly
 #endif

@@ -31,10 +31,10 @@ struct PassingPlace {
         false;  // surely, at about the guess; neither near the piece's end, nor is it near the edge at the begin
 };
 
-// Appends the places whose line of sight may pass the silhouette while the piece lasts, in their order; and those that
-// are near it at `begin_u`. The others surely don't: by Bernstein coefficients, and by where the edge appears, with a
-// margin of more than rounding.
-void append_passing(const Silhouette& silhouette, double begin_u, const FilmPlaces& places,
+// Appends the places whose line of sight may pass the silhouette while that is on this part of the film, in their
+// order; and those that are near it at `begin_u`. The others surely don't: by Bernstein coefficients, and by where the
+// edge appears, with a margin of more than rounding.
+void append_passing(const Silhouette& silhouette, const FilmBounds& film, double begin_u, const FilmPlaces& places,
                     std::vector<PassingPlace>& passing);
 
 }  // namespace overfly

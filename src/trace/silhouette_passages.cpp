@@ -28,6 +28,9 @@ constexpr double kBesideBegin = 0.01;
 // looked at together with it (kAboutNow in kinetic_steps.cpp).
 constexpr double kOutside = 4.0 * static_cast<double>(kGuessDoubt);
 
+// And what is guessed to be that far off is passed no further off than this.
+constexpr double kFurthest = kOutside + 2.0 * static_cast<double>(kGuessDoubt);
+
 // Where a line of sight passes an edge's line.
 struct Root {
     double u;
@@ -54,20 +57,21 @@ class Gathering {
         : piece_(&piece), stretch_(&stretch), samples_(samples) {}
 
     SilhouettePassages run() {
-        const std::vector<std::uint32_t> near = piece_->silhouettes_near(film_bounds(samples_));
+        const std::vector<KineticPiece::Near> near =
+            piece_->silhouettes_near(film_bounds(samples_), stretch_->from_u - kFurthest, stretch_->to_u + kFurthest);
         if (!near.empty()) gather(near);
         if (!mixed_.empty()) by_sample();
         return std::move(found_);
     }
 
   private:
-    void gather(std::span<const std::uint32_t> near) {
+    void gather(std::span<const KineticPiece::Near> near) {
         const FilmPlaces places(samples_);
         std::vector<PassingPlace> passing;
-        for (const std::uint32_t s : near) {
+        for (const auto& [s, film] : near) {
             const Silhouette& silhouette = piece_->silhouettes()[s];
             passing.clear();
-            append_passing(silhouette, stretch_->from_u, places, passing);
+            append_passing(silhouette, film, stretch_->from_u, places, passing);
             for (const PassingPlace& p : passing) {
                 SilhouettePassage which;
                 which.sample = p.place;

@@ -130,6 +130,39 @@ TEST_F(KineticParts, NoPassageIsMissed) {
     EXPECT_GT(guesses, 1'000U);
 }
 
+// Of a short stretch only those silhouettes are looked at that appear near the samples meanwhile.
+TEST_F(KineticParts, AShortStretchHasThePassagesOfTheWholePiece) {
+    std::mt19937 generator(kSeed);
+    std::uniform_real_distribution<double> film(-0.1, 0.1);
+    std::vector<ImageSample> samples(1000);
+    for (ImageSample& s : samples) s = {0.2 + film(generator), film(generator), 0.0};
+    constexpr double kFrom = 0.37, kTo = 0.43;
+    std::size_t compared = 0;
+    for (const NamedMotion& m : all_sorts_of_motions()) {
+        const KineticPiece piece(kinetic_, m.piece, kPicture);
+        const auto passages = [&](double from_u, double to_u) {
+            const TimeRange when = {m.piece.time_at(from_u), m.piece.time_at(to_u)};
+            std::vector<SilhouettePassage> of_both;
+            for (SilhouettePassage p : silhouette_passages(piece, {&m.piece, from_u, to_u, when}, samples).in_order) {
+                resolve(piece, samples[p.sample], p);
+                const bool is_meant = p.state == SilhouettePassage::State::Exact && p.u > kFrom + 1e-6 && p.u < kTo;
+                if (is_meant) of_both.push_back(p);
+            }
+            return of_both;
+        };
+        const std::vector<SilhouettePassage> of_piece = passages(0.0, 1.0), of_stretch = passages(kFrom, kTo);
+        const auto is_same = [](const SilhouettePassage& a, const SilhouettePassage& b) {
+            return a.sample == b.sample && a.half_edge == b.half_edge && a.comes == b.comes &&
+                   std::abs(a.u - b.u) < 1e-9;
+        };
+        EXPECT_TRUE(std::ranges::equal(of_piece, of_stretch, is_same)) << m.name << ", seed " << kSeed;
+        const FilmBounds part = film_bounds(samples);
+        EXPECT_LE(piece.silhouettes_near(part, kFrom, kTo).size(), piece.silhouettes_near(part, 0.0, 1.0).size());
+        compared += of_stretch.size();
+    }
+    EXPECT_GT(compared, 1'000U);
+}
+
 // What is said to be hidden is behind the triangle, corner by corner, or behind the camera, as long as a guess may be
 // off.
 TEST_F(KineticParts, WhatIsHiddenIsBehind) {
