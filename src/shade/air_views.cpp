@@ -5,32 +5,14 @@
 #include <hwy/highway.h>
 
 #include "shade/air_views.h"
+#include "shade/fast_exp-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace overfly {
 namespace HWY_NAMESPACE {
 namespace air_views {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, 16>;
-using Ints = hn::CappedTag<std::int32_t, 16>;
-using V = hn::Vec<Floats>;
-
-HWY_INLINE V set(float x) { return hn::Set(Floats(), x); }
-
-// fast_exp.h: the same operations in the same order, none of them fused, so that all vector units agree with it.
-HWY_INLINE V exp_of_negative(V x) {
-    const V power_of_two = hn::Mul(hn::Max(x, set(-87.0F)), set(1.44269504F));
-    const auto whole = hn::ConvertTo(Ints(), power_of_two);
-    const V f = hn::Sub(power_of_two, hn::ConvertTo(Floats(), whole));
-    V q = hn::Add(set(0.00934423F), hn::Mul(f, set(0.00100363F)));
-    q = hn::Add(set(0.05540856F), hn::Mul(f, q));
-    q = hn::Add(set(0.24021469F), hn::Mul(f, q));
-    q = hn::Add(set(0.69314694F), hn::Mul(f, q));
-    const auto exponent = hn::ShiftLeft<23>(hn::Add(whole, hn::Set(Ints(), 127)));
-    return hn::Mul(hn::Add(set(1.0F), hn::Mul(f, q)), hn::BitCast(Floats(), exponent));
-}
+using namespace fast_exp;  // NOLINT(google-build-using-namespace): of the same vector unit
 
 struct Channel {
     float extinction_per_m, horizon, glow;
