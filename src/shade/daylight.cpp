@@ -32,8 +32,6 @@ constexpr Rgb kZenith = {0.028F, 0.072F, 0.180F};
 constexpr Rgb kHorizon = {0.215F, 0.270F, 0.340F};
 // Share of the horizon's light that comes there straight from the sun and is reddened as the sun is.
 constexpr float kSunInHaze = 0.5F;
-// The sky's colour changes from horizon to zenith by 1/e in this sine of elevation.
-constexpr float kSkyRise = 0.20F;
 
 // Light scattered forward around the sun, cos^8 of the angle: half as wide as Mie scattering of haze, which is what
 // shows against a horizon that contains its wide part already.

@@ -41,6 +41,9 @@ class Daylight {
     [[nodiscard]] AirShare share_of_air(const AirPath& path, Vector<Scene> direction) const;
     // What many such views have in common (look_through).
     [[nodiscard]] const Air& air() const { return air_; }
+    // Of the background straight up; it changes to the horizon's by 1/e in kSkyRise, a sine of elevation.
+    [[nodiscard]] Rgb zenith() const { return zenith_; }
+    static constexpr float kSkyRise = 0.20F;
 
   private:
     [[nodiscard]] Rgb horizon(Vector<Scene> direction) const;

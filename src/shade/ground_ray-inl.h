@@ -71,11 +71,15 @@ class Rays {
     }
     // Relative to the piece's reference.
     HWY_INLINE V3 origin(V u) const { return at(scene_.origin, u); }
+    // Of the origin, from the middle of an Earth that is a ball.
+    HWY_INLINE V3 from_middle(V u) const {
+        const V3 p = add(set(reference()), origin(u));
+        return {p.x, p.y, hn::Add(p.z, set(kEarthRadius_m))};
+    }
     // Of the origin, as height_over_ball_m has it.
     HWY_INLINE V height_over_ball_m(V u) const {
-        V3 from_middle = add(set(reference()), origin(u));
-        from_middle.z = hn::Add(from_middle.z, set(kEarthRadius_m));
-        return hn::Sub(hn::Sqrt(dot(from_middle, from_middle)), set(kEarthRadius_m));
+        const V3 p = from_middle(u);
+        return hn::Sub(hn::Sqrt(dot(p, p)), set(kEarthRadius_m));
     }
     [[nodiscard]] HWY_INLINE Point<Scene> reference() const { return scene_.reference; }
 
