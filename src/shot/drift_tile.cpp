@@ -107,6 +107,7 @@ void DriftTile::follow(const HomeRange& homes, TimeRange open) {
     const double shift_px = view_->px_per_s * (pixels_.exposure().when.centre_s() - view_->when().centre_s());
     lines_ = lines_of(pattern_, homes);
     samples_.clear();
+    skies_.clear();
     for (const DriftingLine& line : lines_) samples_.push_back(sample_of(pattern_, line, shift_px));
     SurfaceSegmentLists lists;
     view_->tracer.trace(view_->prepared, samples_, {&open, 1}, lists, *counters_);
@@ -117,13 +118,24 @@ void DriftTile::follow(const HomeRange& homes, TimeRange open) {
         const TimeRange near = intersection(open, pixels_.time_near(line.home_px, line.home_px));
         if (near.duration_s() <= 0.0) continue;
         for_each_stretch(lists.of(i), near, [&](const SurfaceSegment* seen, TimeRange stretch) {
-            const SceneShader::Sighting sighting = {samples_[i].x, samples_[i].y, seen, lists.reflected};
+            const SceneShader::Sighting sighted = sighting(i, seen, lists);
             const PixelRun to = pixels_.run_of(line, stretch);
-            if (sighting.is_of_ground()) return lines.add_ground(sighting, stretch, to);
-            if (seen == nullptr && lines.add_sky(sighting, stretch, to)) return;
-            pixels_.look_often(line, sighting, stretch, to, looks);
+            if (sighted.is_of_ground()) return lines.add_ground(sighted, stretch, to);
+            if (seen != nullptr) return pixels_.look_often(line, sighted, stretch, to, looks);
+            lines.add_sky(sighted, stretch, to);
+            skies_.push_back({i, stretch});
         });
     }
+    lines.flush();
+    for (const std::size_t k : lines.left_over()) {
+        const auto& [i, when] = skies_[k];
+        pixels_.look_often(lines_[i], sighting(i, nullptr, lists), when, pixels_.run_of(lines_[i], when), looks);
+    }
+}
+
+SceneShader::Sighting DriftTile::sighting(std::size_t line, const SurfaceSegment* seen,
+                                          const SurfaceSegmentLists& lists) const {
+    return {samples_[line].x, samples_[line].y, seen, lists.reflected};
 }
 
 }  // namespace overfly

@@ -28,6 +28,13 @@ class DriftTile {
     [[nodiscard]] ExposedFrame sweep_apart(int lines, const FrameSteps& steps);
     void add(const ExposedFrame& apart, float weight, FilmFrame& film) const;
     void follow(const HomeRange& homes, TimeRange open);
+    // What one of lines_ sees for a while.
+    struct SkyRun {
+        std::size_t line = 0;
+        TimeRange when;
+    };
+    [[nodiscard]] SceneShader::Sighting sighting(std::size_t line, const SurfaceSegment* seen,
+                                                 const SurfaceSegmentLists& lists) const;
 
     const Exposing* exposing_;
     const DriftView* view_;
@@ -39,6 +46,7 @@ class DriftTile {
     FilmFrame* film_ = nullptr;  // that pixels_ are of
     std::vector<DriftingLine> lines_;
     std::vector<ImageSample> samples_;
+    std::vector<SkyRun> skies_;
 };
 
 }  // namespace overfly

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "shot/chain_integral.h"
 
@@ -15,18 +14,6 @@ namespace {
 constexpr float kPiecesPerCell = 4.0F, kPiecesAtFirst = 3.0F;
 // What is swept faster is a blur that nobody sees the grain of.
 constexpr float kMostPieces = 64.0F;
-
-// The sky is smooth, but not near the horizon: pieces are halved until their middles are where straight ones have them,
-// up to a share of their light. What is left of the error then is a sixth of that.
-constexpr int kPixelsPerSkyPiece = 8, kMostSkyPieces = 32;
-constexpr float kSkyError = 1e-3F;
-
-bool is_near(Float4 guess, Float4 sky) {
-    for (int c = 0; c < 3; ++c) {
-        if (std::abs(guess[c] - sky[c]) > kSkyError * sky[c]) return false;
-    }
-    return true;
-}
 
 // A run that turns its edge to the eye passes nobody knows how many.
 int pieces_of(float cells) {
@@ -45,55 +32,63 @@ void LineDeposits::add_ground(const SceneShader::Sighting& sighting, TimeRange w
     runs_.to_u[k] = camera_->u_at(when.end_s);
     runs_.triangles.set(k, *shader_->mesh_, seen.triangle);
     runs_.in_shadow[k] = seen.in_shadow ? 1 : 0;
+    to_.set(k, to);
+    if (++count_ == GroundRuns::kSize) flush_ground();
+}
+
+void LineDeposits::add_sky(const SceneShader::Sighting& sighting, TimeRange when, const PixelRun& to) {
+    const std::size_t k = skies_.add(
+        {sighting.x, sighting.y, camera_->u_at(when.begin_s), camera_->u_at(when.end_s), static_cast<int>(to.count)});
+    sky_sightings_[k] = sighting;
+    sky_times_[k] = when;
+    to_of_sky_.set(k, to);
+    if (skies_.count() == SkyRuns::kSize) flush_sky();
+}
+
+void LineDeposits::Targets::set(std::size_t k, const PixelRun& to) {
     to_[k] = to;
-    if (to.shares != nullptr) {
-        shares_.resize(GroundRuns::kSize);
-        shares_[k] = *to.shares;
-        to_[k].shares = &shares_[k];
-    }
-    if (++count_ == GroundRuns::kSize) flush();
-}
-
-bool LineDeposits::add_sky(const SceneShader::Sighting& sighting, TimeRange when, const PixelRun& to) {
-    std::array<Float4, kMostSkyPieces + 1> nodes;
-    float alpha = 1.0F;
-    std::optional<bool> is_ground;
-    // Whether it is like those before: all of the sky, or all of the Earth.
-    const auto look = [&](Float4& node, double share) {
-        const SceneShader::Behind behind =
-            shader_->behind_air(*camera_, {sighting, when.begin_s + when.duration_s() * share});
-        if (is_ground.value_or(behind.air.has_value()) != behind.air.has_value()) return false;
-        is_ground = behind.air.has_value();
-        const Radiance seen = shader_->through_air(behind);
-        node = Float4{seen.colour.r, seen.colour.g, seen.colour.b, seen.depth_m};
-        alpha = seen.alpha;
-        return true;
-    };
-    std::size_t pieces = static_cast<std::size_t>(std::min(1 + to.count / kPixelsPerSkyPiece, kMostSkyPieces / 2));
-    for (std::size_t i = 0; i <= pieces; ++i) {
-        if (!look(nodes[i], static_cast<double>(i) / static_cast<double>(pieces))) return false;
-    }
-    for (bool is_straight = false; !is_straight && 2 * pieces <= kMostSkyPieces; pieces *= 2) {
-        is_straight = true;
-        for (std::size_t i = pieces; i > 0; --i) nodes[2 * i] = nodes[i];
-        for (std::size_t i = 1; i < 2 * pieces; i += 2) {
-            if (!look(nodes[i], static_cast<double>(i) / static_cast<double>(2 * pieces))) return false;
-            is_straight = is_straight && is_near(0.5F * (nodes[i - 1] + nodes[i + 1]), nodes[i]);
-        }
-    }
-    deposit(std::span(nodes).first(pieces + 1), alpha, to);
-    if (facts_.wanted()) add_sky_facts(sighting, when, static_cast<int>(pieces), to);
-    return true;
-}
-
-void LineDeposits::add_sky_facts(const SceneShader::Sighting& sighting, TimeRange when, int pieces,
-                                 const PixelRun& to) {
-    for (int i = 0; i <= pieces; ++i) sky_facts_.tell({sighting, when.begin_s + when.duration_s() * i / pieces}, to);
-    sky_facts_.deposit(0, static_cast<std::size_t>(pieces) + 1, to);
-    sky_facts_.forget();
+    if (to.shares == nullptr) return;
+    shares_.resize(to_.size());
+    shares_[k] = *to.shares;
+    to_[k].shares = &shares_[k];
 }
 
 void LineDeposits::flush() {
+    flush_ground();
+    flush_sky();
+}
+
+void LineDeposits::flush_sky() {
+    const bool is_transparent = shader_->transparent_sky_;
+    if (is_transparent) {
+        skies_.leave_dark();
+    } else {
+        skies_.follow();
+    }
+    for (std::size_t k = 0; k < skies_.count(); ++k) {
+        if (!skies_.is_smooth(k)) {
+            left_over_.push_back(skies_before_ + k);
+            continue;
+        }
+        deposit(skies_.nodes(k), is_transparent ? 0.0F : 1.0F, to_of_sky_[k]);
+        if (facts_.wanted()) deposit_sky_facts(k);
+    }
+    skies_before_ += skies_.count();
+    skies_.clear();
+}
+
+void LineDeposits::deposit_sky_facts(std::size_t run) {
+    const std::size_t nodes = skies_.nodes(run).size();
+    const TimeRange when = sky_times_[run];
+    for (std::size_t i = 0; i < nodes; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(nodes - 1);
+        sky_facts_.tell({sky_sightings_[run], when.begin_s + when.duration_s() * share}, to_of_sky_[run]);
+    }
+    sky_facts_.deposit(0, nodes, to_of_sky_[run]);
+    sky_facts_.forget();
+}
+
+void LineDeposits::flush_ground() {
     follow_ground(*camera_, shader_->daylight_->to_sun(), shader_->lowest_m_, runs_, count_);
     nodes_.clear();
     facts_.forget();
@@ -125,7 +120,7 @@ void LineDeposits::look() {
     look_at_ground(runs_, *shader_->light_, asked_, asked_count_);
     if (facts_.wanted()) facts_.keep_behind(asked_, asked_count_);
     look_through(shader_->daylight_->air(), asked_.views, asked_count_);
-    if (facts_.wanted()) facts_.tell(runs_, asked_, asked_count_, to_);
+    if (facts_.wanted()) facts_.tell(runs_, asked_, asked_count_, to_.all());
     for (std::size_t i = 0; i < asked_count_; ++i) {
         const Rgb seen = asked_.views.seen(i);
         const float depth_m = asked_.depth_m[i];

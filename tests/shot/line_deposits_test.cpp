@@ -63,8 +63,7 @@ struct GliderView {
             PixelRun run = kRun;
             run.film = i;
             if (runs[i].sighting.is_of_ground()) deposits.add_ground(runs[i].sighting, runs[i].when, run);
-            if (runs[i].sighting.seen == nullptr)
-                static_cast<void>(deposits.add_sky(runs[i].sighting, runs[i].when, run));
+            if (runs[i].sighting.seen == nullptr) deposits.add_sky(runs[i].sighting, runs[i].when, run);
         }
         deposits.flush();
         std::vector<Frame> frames;
@@ -122,7 +121,10 @@ TEST(LineDeposits, FollowTheSkyDownToTheHorizon) {
         const SeenRun run{{line.x, line.y, nullptr, seen.lists.reflected}, seen.piece.when};
         FilmFrame film(kPixels, 1);
         FilmFrame* const to = &film;
-        if (!LineDeposits(seen.shader, seen.piece, {&to, 1}, 1).add_sky(run.sighting, run.when, kRun)) continue;
+        LineDeposits deposits(seen.shader, seen.piece, {&to, 1}, 1);
+        deposits.add_sky(run.sighting, run.when, kRun);
+        deposits.flush();
+        if (!deposits.left_over().empty()) continue;
         const Frame frame = std::move(film).develop().frame;
         if (frame.rgba[0][3] == 0.0F) continue;  // looks down at the round Earth
         for (int px = 0; px < kPixels; ++px) {
@@ -144,17 +146,51 @@ TEST(LineDeposits, AreTheSameOnEveryVectorUnit) {
 }
 
 // The edge of the round Earth is left to those who look at each pixel.
-TEST(LineDeposits, LeaveTheHorizonAlone) {
+TEST(LineDeposits, LeaveTheHorizonOver) {
     const GliderView seen(0.5);
-    std::vector<FilmFrame> films(1, FilmFrame(kPixels, 1));
-    FilmFrame* const film = films.data();
-    LineDeposits deposits(seen.shader, seen.piece, {&film, 1}, 1);
-    int added = 0, left = 0;
-    for (const SeenRun& run : seen.runs) {
-        if (run.sighting.seen == nullptr) ++(deposits.add_sky(run.sighting, run.when, kRun) ? added : left);
+    std::vector<SeenRun> runs;
+    for (const ImageSample& line : seen.lines) runs.push_back({{line.x, line.y, nullptr, {}}, seen.piece.when});
+    std::vector<FilmFrame> films(runs.size(), FilmFrame(kPixels, 1));
+    std::vector<FilmFrame*> to;
+    for (FilmFrame& film : films) to.push_back(&film);
+    LineDeposits deposits(seen.shader, seen.piece, to, 1);
+    for (std::uint32_t i = 0; i < runs.size(); ++i) {
+        PixelRun run = kRun;
+        run.film = i;
+        deposits.add_sky(runs[i].sighting, runs[i].when, run);
     }
-    EXPECT_GT(added, 100);
-    EXPECT_LT(left, added / 2);
+    deposits.flush();
+    const std::span<const std::size_t> left = deposits.left_over();
+    EXPECT_FALSE(left.empty());
+    EXPECT_LT(left.size(), runs.size() / 2);
+    const auto sees_earth = [&](const SeenRun& run, double time_s) {
+        return seen.shader.describe(seen.piece, {run.sighting, time_s}).distance_m > 0.0;
+    };
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const bool is_left = next < left.size() && left[next] == i;
+        if (is_left) ++next;
+        if (sees_earth(runs[i], runs[i].when.begin_s) != sees_earth(runs[i], runs[i].when.end_s)) {
+            EXPECT_TRUE(is_left) << i;
+        }
+        const Frame frame = std::move(films[i]).develop().frame;
+        EXPECT_NEAR(frame.rgba[1][3], is_left ? 0.0 : kPerPixel, 1e-5) << i;
+    }
+    EXPECT_EQ(next, left.size());
+}
+
+// A run's light is the same to the bit whichever others are looked at with it.
+TEST(LineDeposits, OfTheSkyDoNotMindCompany) {
+    const GliderView seen(0.5);
+    const std::vector<Frame> together = seen.deposited();
+    for (std::size_t i = 0; i < seen.runs.size(); i += 11) {
+        const SeenRun& run = seen.runs[i];
+        if (run.sighting.seen != nullptr) continue;
+        FilmFrame film(kPixels, 1);
+        FilmFrame* const to = &film;
+        LineDeposits(seen.shader, seen.piece, {&to, 1}, 1).add_sky(run.sighting, run.when, kRun);
+        EXPECT_TRUE(std::move(film).develop().frame == together[i]) << i;
+    }
 }
 
 }  // namespace
