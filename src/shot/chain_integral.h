@@ -7,31 +7,39 @@
 
 namespace overfly {
 
-// The integral of a chain of straight pieces from its begin on, for ever later ends.
+// The integral of a chain of straight pieces, each being of unit length, from each place that is asked for to the next.
 class ChainIntegral {
   public:
-    ChainIntegral(const Float4* nodes, int pieces) : from_(nodes), last_(nodes + pieces - 1) {}
+    ChainIntegral(const Float4* nodes, int pieces)
+        : to_(nodes + 1), last_(nodes + pieces), begin_(nodes[0]), rise_(nodes[1] - nodes[0]) {}
 
     struct Until {
-        Float4 sum;    // each piece being of unit length
+        Float4 more;   // since the last place, at first since the chain's begin
         Float4 value;  // there
     };
-    // t: in pieces.
+    // t: in pieces, not before the last one.
     Until operator()(float t) {
-        while (t - whole_ > 1.0F && from_ < last_) {
-            before_ += 0.5F * (from_[0] + from_[1]);
+        Float4 more{};
+        while (t - whole_ > 1.0F && to_ < last_) {
+            more += mean_to(1.0F);
+            begin_ = to_[0];
+            rise_ = to_[1] - to_[0];
+            ++to_;
             whole_ += 1.0F;
-            ++from_;
+            reached_ = 0.0F;
         }
         const float rest = t - whole_;
-        const Float4 value = from_[0] + rest * (from_[1] - from_[0]);
-        return {before_ + (0.5F * rest) * (from_[0] + value), value};
+        more += mean_to(rest);
+        reached_ = rest;
+        return {more, begin_ + rest * rise_};
     }
 
   private:
-    const Float4 *from_, *last_;
-    Float4 before_{};
-    float whole_ = 0.0F;
+    [[nodiscard]] Float4 mean_to(float t) const { return (t - reached_) * (begin_ + (0.5F * (reached_ + t)) * rise_); }
+
+    const Float4 *to_, *last_;  // the node at the end of this piece, and of all
+    Float4 begin_, rise_;       // of this piece
+    float whole_ = 0.0F, reached_ = 0.0F;
 };
 
 // How much each node of such a chain counts in its integral from one place to another, in pieces: with_node(node,

@@ -14,7 +14,7 @@ void look_by_cells(const DriftingLine& line, const SceneShader::Sighting& sighti
     for (const RunShares::Cell& cell : to.cells) {
         const auto end_v = static_cast<double>(cell.end_v);
         for (const double half : {0.0, 0.5}) {
-            const double v = begin_v + (half + 0.5 * line.phase) * (end_v - begin_v);
+            const double v = begin_v + (half + 0.5 * line.phase()) * (end_v - begin_v);
             looks.look({sighting, stretch.begin_s + v * stretch.duration_s()});
             for (std::size_t k = begin; k < cell.end_share; ++k) {
                 const RunShares::Share& share = to.shares[k];
@@ -49,6 +49,12 @@ void DriftPixels::set_film(int left, int top, int width) {
     film_width_ = width;
 }
 
+void DriftPixels::set_exposure(const Exposure& exposure, int lines_per_pixel) {
+    exposure_ = exposure;
+    lines_per_pixel_ = lines_per_pixel;
+    weight_per_s_ = 1.0 / (exposure.when.duration_s() * lines_per_pixel);
+}
+
 TimeRange DriftPixels::time_near(double first_home_px, double last_home_px) const {
     const double centre_s = exposure_.when.centre_s();
     return {centre_s + (from_px_ - last_home_px) / px_per_s_, centre_s + (to_px_ - first_home_px) / px_per_s_};
@@ -69,9 +75,8 @@ PixelRun DriftPixels::passed_by(const DriftingLine& line, TimeRange stretch) con
     const TimeRange e = exposure_.when;
     const double from_px = line.home_px + px_per_s_ * (stretch.begin_s - e.centre_s());
     const double length_px = px_per_s_ * stretch.duration_s();
-    const auto in_tile = [&](double px) {
-        return std::clamp(static_cast<int>(std::floor(px)), along_.begin, along_.end - 1);
-    };
+    // Left of the first pixel rounding is upward, which comes to the same.
+    const auto in_tile = [&](double px) { return std::clamp(static_cast<int>(px), along_.begin, along_.end - 1); };
     const int first = in_tile(from_px), last = in_tile(from_px + length_px);
     const double v_per_px = 1.0 / length_px;
     return {.first = static_cast<std::uint32_t>(pixel(line.row, first)),
@@ -79,7 +84,7 @@ PixelRun DriftPixels::passed_by(const DriftingLine& line, TimeRange stretch) con
             .count = last - first + 1,
             .first_end = (first + 1 - from_px) * v_per_px,
             .v_per_pixel = v_per_px,
-            .weight = stretch.duration_s() / (e.duration_s() * lines_per_pixel_)};
+            .weight = stretch.duration_s() * weight_per_s_};
 }
 
 // What the pixels get where some of the run counts for more than other.
@@ -108,7 +113,6 @@ void DriftPixels::look_by_pixels(const DriftingLine& line, const SceneShader::Si
                                  LightDeposits& looks) const {
     const TimeRange e = exposure_.when;
     const double s_per_px = 1.0 / px_per_s_;
-    const double share_per_s = 1.0 / (e.duration_s() * lines_per_pixel_);
     const auto at_px = [&](double t) { return line.home_px + px_per_s_ * (t - e.centre_s()); };
     const auto time_at = [&](int px) { return e.centre_s() + (px - line.home_px) * s_per_px; };
     const int first = std::max(static_cast<int>(std::floor(at_px(stretch.begin_s))), along_.begin);
@@ -116,7 +120,7 @@ void DriftPixels::look_by_pixels(const DriftingLine& line, const SceneShader::Si
     for (int px = first; px <= last; ++px) {
         const TimeRange in_pixel = intersection(stretch, {time_at(px), time_at(px + 1)});
         if (in_pixel.duration_s() <= 0.0) continue;
-        const double share = in_pixel.duration_s() * share_per_s;
+        const double share = in_pixel.duration_s() * weight_per_s_;
         if (sighting.seen != nullptr) {
             looks.add(0, pixel(line.row, px), share, {sighting, in_pixel.centre_s()});
             continue;
@@ -124,7 +128,7 @@ void DriftPixels::look_by_pixels(const DriftingLine& line, const SceneShader::Si
         // Where the round Earth ends before the sky no triangle does: this edge is found by looking, at another place
         // for each line.
         for (const double half : {0.0, 0.5}) {
-            const double time_s = in_pixel.begin_s + (half + 0.5 * line.phase) * in_pixel.duration_s();
+            const double time_s = in_pixel.begin_s + (half + 0.5 * line.phase()) * in_pixel.duration_s();
             looks.add(0, pixel(line.row, px), 0.5 * share, {sighting, time_s});
         }
     }

@@ -24,8 +24,7 @@ class DriftPixels {
 
     // The film: its first pixel in the picture, and how wide it is.
     void set_film(int left, int top, int width);
-    void set_exposure(const Exposure& exposure) { exposure_ = exposure; }
-    void set_lines(int per_pixel) { lines_per_pixel_ = per_pixel; }
+    void set_exposure(const Exposure& exposure, int lines_per_pixel);
 
     [[nodiscard]] const Exposure& exposure() const { return exposure_; }
     // Of the picture: the tile, with the rows around it of which it gets light, and likewise along them.
@@ -57,8 +56,9 @@ class DriftPixels {
     double from_px_, to_px_;  // along_, and as far around as pixels look
     int margin_rows_;         // as far around rows_
     RunWeighing weighing_;
-    int lines_per_pixel_ = 1;
     Exposure exposure_;
+    int lines_per_pixel_ = 1;
+    double weight_per_s_ = 0.0;  // of each line
     int film_left_ = 0, film_top_ = 0, film_width_ = 0;
 };
 

@@ -29,9 +29,8 @@ DriftTile::DriftTile(const Exposing& exposing, const PixelTile& tile, const Drif
 
 void DriftTile::expose(TimeRange exposure, FilmFrame& film) {
     film_ = &film;
-    pixels_.set_exposure({exposure, curve_});
+    pixels_.set_exposure({exposure, curve_}, pattern_.per_pixel);
     pixels_.set_film(0, 0, view_->pattern.size.width);
-    pixels_.set_lines(pattern_.per_pixel);
     if (exposing_->tracers.error > 0.0) {
         sweep_until_good();
     } else {
@@ -95,7 +94,7 @@ ExposedFrame DriftTile::sweep_apart(int lines, const FrameSteps& steps) {
     FilmFrame film = exposing_->film_of(pixels_.width(), pixels_.height(), steps);
     film_ = &film;
     pixels_.set_film(tile_.left, tile_.top, pixels_.width());
-    pixels_.set_lines(lines);
+    pixels_.set_exposure(pixels_.exposure(), lines);
     pattern_.per_pixel = lines;
     ++pattern_.set;
     sweep();

@@ -15,6 +15,12 @@ constexpr float kPiecesPerCell = 4.0F, kPiecesAtFirst = 3.0F;
 // What is swept faster is a blur that nobody sees the grain of.
 constexpr float kMostPieces = 64.0F;
 
+// Nothing in the fourth place.
+Float4 colour_of(Float4 v) {
+    constexpr Int4 kColour = {-1, -1, -1, 0};
+    return reinterpret_cast<Float4>(reinterpret_cast<Int4>(v) & kColour);  // of vectors: the same bits
+}
+
 // A run that turns its edge to the eye passes nobody knows how many.
 int pieces_of(float cells) {
     const float wanted = std::ceil(std::min(kPiecesPerCell * cells, kPiecesAtFirst + cells));
@@ -137,17 +143,15 @@ void LineDeposits::deposit(std::span<const Float4> nodes, float alpha, const Pix
 
 void LineDeposits::deposit_evenly(std::span<const Float4> nodes, float alpha, const PixelRun& to) const {
     FilmFrame& film = *films_[to.film];
-    const int pieces = static_cast<int>(nodes.size()) - 1;
-    ChainIntegral chain(nodes.data(), pieces);
-    const auto weight = static_cast<float>(to.weight), per_piece = weight / static_cast<float>(pieces);
-    Float4 sum{};
+    const auto pieces = static_cast<float>(nodes.size() - 1), weight = static_cast<float>(to.weight);
+    ChainIntegral chain(nodes.data(), static_cast<int>(nodes.size()) - 1);
+    const float per_piece = weight / pieces;
+    const Float4 of_alpha = {0.0F, 0.0F, 0.0F, alpha * weight};
     float depth_m = nodes.front()[3];
     for_each_pixel(to, [&](std::uint32_t pixel, float begin, float end) {
-        const auto until = chain(end * static_cast<float>(pieces));
-        Float4 light = per_piece * (until.sum - sum);
-        light[3] = alpha * weight * (end - begin);
-        film.add(pixel, light, std::min(depth_m, until.value[3]));
-        sum = until.sum;
+        const auto until = chain(end * pieces);
+        film.add(pixel, colour_of(per_piece * until.more) + (end - begin) * of_alpha,
+                 std::min(depth_m, until.value[3]));
         depth_m = until.value[3];
     });
 }
@@ -157,13 +161,13 @@ void LineDeposits::deposit_shares(std::span<const Float4> nodes, float alpha, co
     const auto pieces = static_cast<float>(nodes.size() - 1);
     ChainIntegral chain(nodes.data(), static_cast<int>(nodes.size()) - 1);
     float reached = 0.0F;
-    Float4 sum{}, value = nodes.front();
+    Float4 value = nodes.front();
     std::size_t next = 0;
     for (const RunShares::Cell& cell : to.shares->cells) {
         const auto until = chain(cell.end_v * pieces);
         const float length = (cell.end_v - reached) * pieces;
         // A cell may be too short for single precision.
-        const Float4 mean = length > 0.0F ? (until.sum - sum) / length : value;
+        const Float4 mean = length > 0.0F ? until.more / length : value;
         const Float4 growth = until.value - value;
         const float depth_m = std::min(value[3], until.value[3]);
         for (; next < cell.end_share; ++next) {
@@ -177,7 +181,6 @@ void LineDeposits::deposit_shares(std::span<const Float4> nodes, float alpha, co
             }
         }
         reached = cell.end_v;
-        sum = until.sum;
         value = until.value;
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "shot/pixel_tile.h"
@@ -31,8 +32,11 @@ struct HomeRange {
 struct DriftingLine {
     int row = 0;  // of pixels; column, where the drift is along y
     double home_px = 0.0;
-    double across_px = 0.0;  // from the row's own begin, in [0, 1)
-    double phase = 0.0;      // another number in [0, 1), stratified with that one
+    double across_px = 0.0;              // from the row's own begin, in [0, 1)
+    std::uint32_t number = 0, seed = 0;  // of the line in its row, and of the row
+
+    // Another number in [0, 1), stratified with across_px.
+    [[nodiscard]] double phase() const;
 };
 
 // In an order in which sixteen that follow each other lie close together.

@@ -21,10 +21,11 @@ struct PixelRun {
 // Calls with_pixel(pixel, from v, to v) for each of them that the run is in for a while. REQUIRES: no shares.
 template <class WithPixel>
 void for_each_pixel(const PixelRun& run, const WithPixel& with_pixel) {
+    const auto first_end = static_cast<float>(run.first_end), v_per_pixel = static_cast<float>(run.v_per_pixel);
     float reached = 0.0F;
     for (int i = 0; i < run.count; ++i) {
         const bool is_last = i + 1 == run.count;
-        const float end = is_last ? 1.0F : static_cast<float>(run.first_end + i * run.v_per_pixel);
+        const float end = is_last ? 1.0F : first_end + static_cast<float>(i) * v_per_pixel;
         if (end <= reached) continue;
         with_pixel(run.first + static_cast<std::uint32_t>(i * run.stride), reached, end);
         reached = end;
