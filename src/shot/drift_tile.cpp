@@ -108,16 +108,16 @@ void DriftTile::follow(const HomeRange& homes, TimeRange open) {
     samples_.clear();
     skies_.clear();
     for (const DriftingLine& line : lines_) samples_.push_back(sample_of(pattern_, line, shift_px));
-    SurfaceSegmentLists lists;
-    view_->tracer.trace(view_->prepared, samples_, {&open, 1}, lists, *counters_);
+    lists_.clear();
+    view_->tracer.trace(view_->prepared, samples_, {&open, 1}, lists_, *counters_);
     LineDeposits lines(exposing_->shader, view_->camera(), {&film_, 1}, pattern_.per_pixel);
     LightDeposits looks(exposing_->shader, view_->camera(), {&film_, 1}, pattern_.per_pixel);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const DriftingLine& line = lines_[i];
         const TimeRange near = intersection(open, pixels_.time_near(line.home_px, line.home_px));
         if (near.duration_s() <= 0.0) continue;
-        for_each_stretch(lists.of(i), near, [&](const SurfaceSegment* seen, TimeRange stretch) {
-            const SceneShader::Sighting sighted = sighting(i, seen, lists);
+        for_each_stretch(lists_.of(i), near, [&](const SurfaceSegment* seen, TimeRange stretch) {
+            const SceneShader::Sighting sighted = sighting(i, seen);
             const PixelRun to = pixels_.run_of(line, stretch);
             if (sighted.is_of_ground()) return lines.add_ground(sighted, stretch, to);
             if (seen != nullptr) return pixels_.look_often(line, sighted, stretch, to, looks);
@@ -128,13 +128,12 @@ void DriftTile::follow(const HomeRange& homes, TimeRange open) {
     lines.flush();
     for (const std::size_t k : lines.left_over()) {
         const auto& [i, when] = skies_[k];
-        pixels_.look_often(lines_[i], sighting(i, nullptr, lists), when, pixels_.run_of(lines_[i], when), looks);
+        pixels_.look_often(lines_[i], sighting(i, nullptr), when, pixels_.run_of(lines_[i], when), looks);
     }
 }
 
-SceneShader::Sighting DriftTile::sighting(std::size_t line, const SurfaceSegment* seen,
-                                          const SurfaceSegmentLists& lists) const {
-    return {samples_[line].x, samples_[line].y, seen, lists.reflected};
+SceneShader::Sighting DriftTile::sighting(std::size_t line, const SurfaceSegment* seen) const {
+    return {samples_[line].x, samples_[line].y, seen, lists_.reflected};
 }
 
 }  // namespace overfly

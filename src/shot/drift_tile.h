@@ -33,8 +33,7 @@ class DriftTile {
         std::size_t line = 0;
         TimeRange when;
     };
-    [[nodiscard]] SceneShader::Sighting sighting(std::size_t line, const SurfaceSegment* seen,
-                                                 const SurfaceSegmentLists& lists) const;
+    [[nodiscard]] SceneShader::Sighting sighting(std::size_t line, const SurfaceSegment* seen) const;
 
     const Exposing* exposing_;
     const DriftView* view_;
@@ -46,6 +45,7 @@ class DriftTile {
     FilmFrame* film_ = nullptr;  // that pixels_ are of
     std::vector<DriftingLine> lines_;
     std::vector<ImageSample> samples_;
+    SurfaceSegmentLists lists_;  // of what these see
     std::vector<SkyRun> skies_;
 };
 

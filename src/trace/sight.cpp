@@ -195,14 +195,14 @@ void SightTracer::trace_alone(const PreparedSight& prepared, std::span<const Ima
                               std::span<const TimeRange> exposures, SurfaceSegmentLists& out,
                               TraceCounters& counters) const {
     const MotionPiece& piece = sight_->motions.front().piece_at(prepared.when.centre_s());
-    SegmentLists lists;
+    // Memory that each thread keeps.
+    thread_local SegmentLists lists;
+    lists.clear();
     trace_camera(surfaces_.front(), prepared.kinetic.front(), piece, samples, exposures, lists, counters);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        for (const VisibleSegment& v : lists.of(i)) {
-            out.segments.push_back({0, v.triangle, v.when, &piece, sight_});
-        }
-        out.end_sample();
-    }
+    const auto before = static_cast<std::uint32_t>(out.segments.size());
+    out.segments.reserve(before + lists.segments.size());
+    for (const VisibleSegment& v : lists.segments) out.segments.push_back({0, v.triangle, v.when, &piece, sight_});
+    for (const std::uint32_t end : lists.ends) out.ends.push_back(before + end);
 }
 
 }  // namespace overfly

@@ -31,6 +31,11 @@ struct SurfaceSegmentLists {
     std::vector<std::uint32_t> ends;  // of each sample's run in segments
     std::vector<SurfaceSegment> reflected;
 
+    void clear() {
+        segments.clear();
+        ends.clear();
+        reflected.clear();
+    }
     void end_sample() { ends.push_back(static_cast<std::uint32_t>(segments.size())); }
     [[nodiscard]] std::span<const SurfaceSegment> of(std::size_t sample) const {
         const std::uint32_t begin = sample == 0 ? 0 : ends[sample - 1];
