@@ -46,6 +46,20 @@ Vector<Scene> closest_on_triangle(Vector<Scene> p, const std::array<Vector<Scene
     return corner[0] + (vb * scale) * ab + (vc * scale) * ac;
 }
 
+void set_rays(RTCRay16& rays, const RayPacket& packet) {
+    std::memcpy(rays.org_x, packet.origin_x.data(), sizeof rays.org_x);
+    std::memcpy(rays.org_y, packet.origin_y.data(), sizeof rays.org_y);
+    std::memcpy(rays.org_z, packet.origin_z.data(), sizeof rays.org_z);
+    std::memcpy(rays.dir_x, packet.direction_x.data(), sizeof rays.dir_x);
+    std::memcpy(rays.dir_y, packet.direction_y.data(), sizeof rays.dir_y);
+    std::memcpy(rays.dir_z, packet.direction_z.data(), sizeof rays.dir_z);
+    std::memcpy(rays.tnear, packet.least.data(), sizeof rays.tnear);
+    std::ranges::fill(rays.tfar, kInfinity);
+    std::ranges::fill(rays.time, 0.0F);
+    std::ranges::fill(rays.mask, ~0U);
+    std::ranges::fill(rays.flags, 0U);
+}
+
 }  // namespace
 
 struct RayScene::Embree {
@@ -147,17 +161,7 @@ bool RayScene::is_blocked(Point<Scene> origin, Vector<Scene> direction, double l
 
 void RayScene::first_hits(RayPacket& packet) const {
     RTCRayHit16 hits;
-    std::memcpy(hits.ray.org_x, packet.origin_x.data(), sizeof hits.ray.org_x);
-    std::memcpy(hits.ray.org_y, packet.origin_y.data(), sizeof hits.ray.org_y);
-    std::memcpy(hits.ray.org_z, packet.origin_z.data(), sizeof hits.ray.org_z);
-    std::memcpy(hits.ray.dir_x, packet.direction_x.data(), sizeof hits.ray.dir_x);
-    std::memcpy(hits.ray.dir_y, packet.direction_y.data(), sizeof hits.ray.dir_y);
-    std::memcpy(hits.ray.dir_z, packet.direction_z.data(), sizeof hits.ray.dir_z);
-    std::memcpy(hits.ray.tnear, packet.least.data(), sizeof hits.ray.tnear);
-    std::ranges::fill(hits.ray.tfar, kInfinity);
-    std::ranges::fill(hits.ray.time, 0.0F);
-    std::ranges::fill(hits.ray.mask, ~0U);
-    std::ranges::fill(hits.ray.flags, 0U);
+    set_rays(hits.ray, packet);
     std::ranges::fill(hits.hit.geomID, RTC_INVALID_GEOMETRY_ID);
     std::ranges::fill(hits.hit.primID, kNone);  // stays so in a lane that hits nothing
     RTCIntersectContext context;
@@ -171,6 +175,19 @@ void RayScene::first_hits(RayPacket& packet) const {
     std::memcpy(packet.normal_x.data(), hits.hit.Ng_x, sizeof hits.hit.Ng_x);
     std::memcpy(packet.normal_y.data(), hits.hit.Ng_y, sizeof hits.hit.Ng_y);
     std::memcpy(packet.normal_z.data(), hits.hit.Ng_z, sizeof hits.hit.Ng_z);
+}
+
+std::uint32_t RayScene::blocked_lanes(const RayPacket& packet) const {
+    RTCRay16 rays;
+    set_rays(rays, packet);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);  // without the coherent flag: with it twice the time, measured on light's rays
+    rtcOccluded16(packet.valid.data(), embree_->scene, &context, &rays);
+    std::uint32_t blocked = 0;
+    for (std::size_t lane = 0; lane < RayPacket::kSize; ++lane) {
+        if (packet.valid[lane] != 0 && rays.tfar[lane] < 0.0F) blocked |= 1U << lane;
+    }
+    return blocked;
 }
 
 double RayScene::distance_m(Point<Scene> p) const {

@@ -68,6 +68,8 @@ class RayScene {
     [[nodiscard]] bool is_blocked(Point<Scene> origin, Vector<Scene> direction, double least = 0.0) const;
     // The same for the valid lanes of a packet of rays that run much alike.
     void first_hits(RayPacket& packet) const;
+    // Bit i: whether lane i is valid and blocked. Leaves the packet's answers alone.
+    [[nodiscard]] std::uint32_t blocked_lanes(const RayPacket& packet) const;
 
     // From a point to the nearest point of any triangle, in metres; infinity in an empty mesh.
     [[nodiscard]] double distance_m(Point<Scene> p) const;
