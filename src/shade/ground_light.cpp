@@ -35,11 +35,11 @@ std::vector<Vector<Scene>> vertex_normals(const TerrainMesh& mesh) {
 }
 
 GroundLight light_ground(const TerrainMesh& mesh, const ColourRamp& colours, const Daylight& day,
-                         const IsBlocked& is_blocked, const GroundLightOptions& options, const Progress& progress) {
+                         const AreBlocked& are_blocked, const GroundLightOptions& options, const Progress& progress) {
     const std::vector<Vector<Scene>> normals = vertex_normals(mesh);
     std::vector<float> sunlit(mesh.positions.size(), 1.0F);
-    if (options.shadows == GroundShadows::Baked) sunlit = sun_share(mesh, day.to_sun(), is_blocked, progress);
-    const std::vector<SkyLight> sky = sky_light(mesh, normals, day, is_blocked, progress);
+    if (options.shadows == GroundShadows::Baked) sunlit = sun_share(mesh, day.to_sun(), are_blocked, progress);
+    const std::vector<SkyLight> sky = sky_light(mesh, normals, day, are_blocked, progress);
     const Rgb around = ground_around(day);
 
     GroundLight light;

@@ -4,9 +4,9 @@
 
 #include "core/colour.h"
 #include "core/progress.h"
+#include "shade/are_blocked.h"
 #include "shade/colour_ramp.h"
 #include "shade/daylight.h"
-#include "shade/is_blocked.h"
 #include "terrain/terrain_mesh.h"
 
 namespace overfly {
@@ -34,7 +34,7 @@ struct GroundLightOptions {
 // Albedo, times sun (with the shadows of the terrain) plus the sky that the vertex sees, plus a first bounce from the
 // ground that hides the rest of it. The same for any number of threads.
 [[nodiscard]] GroundLight light_ground(const TerrainMesh& mesh, const ColourRamp& colours, const Daylight& day,
-                                       const IsBlocked& is_blocked, const GroundLightOptions& options = {},
+                                       const AreBlocked& are_blocked, const GroundLightOptions& options = {},
                                        const Progress& progress = {});
 
 // Radiance of the ground around a place, as far as it lights what stands there: taken as level and in the sun, for

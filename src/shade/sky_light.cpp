@@ -6,40 +6,29 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <tuple>
 
+#include "core/error.h"
 #include "core/low_discrepancy.h"
-#include "shade/local_frame.h"
 #include "shade/parallel_blocks.h"
+#include "shade/raster_bands.h"
+#include "shade/sky_block.h"
 
 namespace overfly {
 namespace {
 
-// Neighbouring vertices look into different ones of kSets * kRays directions; the averaging brings them together.
-constexpr std::uint32_t kSets = 4;
-constexpr std::uint32_t kRays = 24;
-constexpr int kAveragings = 2;
+constexpr int kAveragings = 2;  // they bring together what the sets see
 constexpr std::uint64_t kSeed = 1991;
 
-constexpr double kLift_m = 1.0;  // of the rays' origins: clear of float rounding within some 100 km
-
-// Directions spread evenly over the half of space around z, and the light that comes from each.
-struct SkyDirection {
-    Vector<Scene> towards;
-    Rgb radiance;
-};
-using SkySet = std::array<SkyDirection, kRays>;
-
-float brightness(Rgb c) { return 0.2126F * c.r + 0.7152F * c.g + 0.0722F * c.b; }  // Rec. 709 luminance
-
 // Each set alone lights level ground by day.sky() exactly.
-std::array<SkySet, kSets> sky_sets(const Daylight& day) {
-    std::array<SkySet, kSets> sets;
-    for (std::uint32_t i = 0; i < kSets * kRays; ++i) {
+SkySets sky_sets(const Daylight& day) {
+    SkySets sets;
+    for (std::uint32_t i = 0; i < kSkySets * std::tuple_size_v<SkySet>; ++i) {
         const auto p = low_discrepancy_point(kSeed, i);
         const double level = std::sqrt(1.0 - p[0] * p[0]);
         const double turn = 2.0 * std::numbers::pi * p[1];
         const Vector<Scene> towards = {level * std::cos(turn), level * std::sin(turn), p[0]};
-        sets[i % kSets][i / kSets] = {towards, day.background(towards, {0.0, 0.0, 1.0})};
+        sets[i % kSkySets][i / kSkySets] = {towards, day.background(towards, {0.0, 0.0, 1.0})};
     }
     for (SkySet& set : sets) {
         Rgb sum;
@@ -51,8 +40,6 @@ std::array<SkySet, kSets> sky_sets(const Daylight& day) {
     }
     return sets;
 }
-
-std::uint32_t set_of(std::size_t vertex) { return (static_cast<std::uint32_t>(vertex) * 2654435761U) >> 30U; }
 
 // Each value becomes the mean of itself and its neighbours' mean along the sides of the triangles.
 std::vector<float> averaged(const TriangleMesh& mesh, const std::vector<float>& values) {
@@ -72,34 +59,22 @@ std::vector<float> averaged(const TriangleMesh& mesh, const std::vector<float>& 
 
 }  // namespace
 
-std::vector<SkyLight> sky_light(const TriangleMesh& mesh, std::span<const Vector<Scene>> normals, const Daylight& day,
-                                const IsBlocked& is_blocked, const Progress& progress) {
-    static_assert(kSets == 4, "set_of");
-    const std::array<SkySet, kSets> sets = sky_sets(day);
+std::vector<SkyLight> sky_light(const TerrainMesh& mesh, std::span<const Vector<Scene>> normals, const Daylight& day,
+                                const AreBlocked& are_blocked, const Progress& progress) {
+    check(mesh.samples.size() == mesh.positions.size(), "each vertex has its sample");
+    const SkySets sets = sky_sets(day);
     std::vector<SkyLight> light(mesh.positions.size());
     std::vector<float> open(light.size());  // share of the sky's light on this slope that no ground keeps off
-    parallel_blocks(light.size(), "skylight", progress, [&](std::size_t v) {
-        const LocalFrame f = frame_around(up_at(mesh.positions[v]));
-        const Point<Scene> from = mesh.positions[v] + kLift_m * normals[v];
-        const Vector<Scene> n = {dot(normals[v], f.x), dot(normals[v], f.y), dot(normals[v], f.z)};
-        Rgb unhindered;
-        float all = 0.0F;
-        float reaching = 0.0F;
-        for (std::uint32_t s = 0; s < kSets; ++s) {
-            for (const SkyDirection& d : sets[s]) {
-                const double facing = dot(n, d.towards);
-                if (facing <= 0.0) continue;
-                const Rgb from_there = static_cast<float>(facing) * d.radiance;
-                unhindered += (1.0F / kSets) * from_there;
-                if (s != set_of(v)) continue;
-                const float share = brightness(from_there);
-                all += share;
-                const Vector<Scene> direction = d.towards.x * f.x + d.towards.y * f.y + d.towards.z * f.z;
-                if (!is_blocked(from, direction)) reaching += share;
-            }
+    const std::vector<std::size_t> bands = band_starts(mesh.samples);
+    parallel_tasks(bands.size() - 1, "skylight", progress, [&](std::size_t band) {
+        const std::vector<VertexId> vertices = by_columns(mesh.samples, bands[band], bands[band + 1]);
+        for (std::size_t first = 0; first < vertices.size(); first += SkyBlock::kSize) {
+            const auto some = std::span(vertices).subspan(first, std::min(SkyBlock::kSize, vertices.size() - first));
+            const SkyBlock block(mesh, normals, some);
+            const auto unhindered = block.unhindered(sets);
+            for (std::size_t i = 0; i < some.size(); ++i) light[some[i]].irradiance = unhindered[i];
+            for (std::uint32_t set = 0; set < kSkySets; ++set) block.find_open(sets, set, are_blocked, open);
         }
-        light[v].irradiance = unhindered;
-        open[v] = all > 0.0F ? reaching / all : 1.0F;
     });
     for (int i = 0; i < kAveragings; ++i) open = averaged(mesh, open);
     for (std::size_t v = 0; v < light.size(); ++v) {

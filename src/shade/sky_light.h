@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "mesh/triangle_mesh.h"
+#include "shade/are_blocked.h"
 #include "shade/daylight.h"
-#include "shade/is_blocked.h"
+#include "terrain/terrain_mesh.h"
 
 namespace overfly {
 
@@ -19,8 +19,8 @@ struct SkyLight {
 // For each vertex. Level ground that sees all of the sky has irradiance day.sky(). The obstructed part of the sky is
 // averaged over neighbouring vertices: it changes little from one to the next, and so few rays are enough.
 // normals: unit vectors, one for each vertex. The same for any number of threads.
-[[nodiscard]] std::vector<SkyLight> sky_light(const TriangleMesh& mesh, std::span<const Vector<Scene>> normals,
-                                              const Daylight& day, const IsBlocked& is_blocked,
+[[nodiscard]] std::vector<SkyLight> sky_light(const TerrainMesh& mesh, std::span<const Vector<Scene>> normals,
+                                              const Daylight& day, const AreBlocked& are_blocked,
                                               const Progress& progress = {});
 
 }  // namespace overfly

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "shade/local_frame.h"
 #include "shade/parallel_blocks.h"
@@ -27,26 +28,31 @@ constexpr double kLift = 0.02;
 // What each corner gets of the sunlit places.
 using Corners = std::array<float, 3>;
 
-Corners sunlit(const TriangleMesh& mesh, TriangleId triangle, const std::array<Vector<Scene>, 4>& to_sun,
-               const IsBlocked& is_blocked) {
-    const auto& ids = mesh.triangles[triangle];
-    const Point<Scene> a = mesh.positions[ids[0]];
-    const Vector<Scene> ab = mesh.positions[ids[1]] - a;
-    const Vector<Scene> ac = mesh.positions[ids[2]] - a;
-    const Vector<Scene> normal = normalized(cross(ab, ac));
-    Corners lit = {};
-    for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-        const auto& place = kPlaces[i];
-        if (dot(normal, to_sun[i]) <= 0.0) continue;
-        if (is_blocked(a + place[1] * ab + place[2] * ac + (kLift * length(ab)) * normal, to_sun[i])) continue;
-        for (std::size_t k = 0; k < 3; ++k) lit[k] += static_cast<float>(place[k]);
+// Of triangles [first, first + lit.size()). Neighbours ask together: the sun is so small that all rays to it are alike.
+void find_sunlit(const TriangleMesh& mesh, TriangleId first, const std::array<Vector<Scene>, 4>& to_sun,
+                 const AreBlocked& are_blocked, std::span<Corners> lit) {
+    constexpr std::size_t kCount = kPlaces.size();
+    OpenRays rays(are_blocked, [&](std::size_t label) {
+        for (std::size_t k = 0; k < 3; ++k) lit[label / kCount][k] += static_cast<float>(kPlaces[label % kCount][k]);
+    });
+    for (std::size_t t = 0; t < lit.size(); ++t) {
+        const auto& ids = mesh.triangles[first + t];
+        const Point<Scene> a = mesh.positions[ids[0]];
+        const Vector<Scene> ab = mesh.positions[ids[1]] - a;
+        const Vector<Scene> ac = mesh.positions[ids[2]] - a;
+        const Vector<Scene> normal = normalized(cross(ab, ac));
+        const Point<Scene> lifted = a + (kLift * length(ab)) * normal;
+        for (std::size_t i = 0; i < kCount; ++i) {
+            if (dot(normal, to_sun[i]) <= 0.0) continue;
+            rays.add({lifted + kPlaces[i][1] * ab + kPlaces[i][2] * ac, to_sun[i]}, kCount * t + i);
+        }
     }
-    return lit;
+    rays.finish();
 }
 
 }  // namespace
 
-std::vector<float> sun_share(const TriangleMesh& mesh, Vector<Scene> to_sun, const IsBlocked& is_blocked,
+std::vector<float> sun_share(const TriangleMesh& mesh, Vector<Scene> to_sun, const AreBlocked& are_blocked,
                              const Progress& progress) {
     const LocalFrame f = frame_around(to_sun);
     std::array<Vector<Scene>, 4> over_sun;
@@ -54,8 +60,10 @@ std::vector<float> sun_share(const TriangleMesh& mesh, Vector<Scene> to_sun, con
         over_sun[i] = to_sun + kSunSide_rad * (kOnSun[i][0] * f.x + kOnSun[i][1] * f.y);
     }
     std::vector<Corners> lit(mesh.triangles.size());
-    parallel_blocks(lit.size(), "sunlight", progress,
-                    [&](std::size_t t) { lit[t] = sunlit(mesh, static_cast<TriangleId>(t), over_sun, is_blocked); });
+    parallel_ranges(lit.size(), "sunlight", progress, [&](std::size_t begin, std::size_t end) {
+        find_sunlit(mesh, static_cast<TriangleId>(begin), over_sun, are_blocked,
+                    std::span(lit).subspan(begin, end - begin));
+    });
 
     std::vector<float> share(mesh.positions.size(), 0.0F);
     std::vector<float> whole(mesh.positions.size(), 0.0F);

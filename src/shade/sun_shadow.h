@@ -4,7 +4,7 @@
 
 #include "core/progress.h"
 #include "mesh/triangle_mesh.h"
-#include "shade/is_blocked.h"
+#include "shade/are_blocked.h"
 
 namespace overfly {
 
@@ -12,7 +12,7 @@ namespace overfly {
 // falling off linearly to their other corners. An edge of a shadow so is as sharp as the mesh can carry without
 // stairs, where one answer per vertex would make saw teeth. Ground that faces away from the sun has none.
 // REQUIRES: to_sun is a unit vector. The same for any number of threads.
-[[nodiscard]] std::vector<float> sun_share(const TriangleMesh& mesh, Vector<Scene> to_sun, const IsBlocked& is_blocked,
-                                           const Progress& progress = {});
+[[nodiscard]] std::vector<float> sun_share(const TriangleMesh& mesh, Vector<Scene> to_sun,
+                                           const AreBlocked& are_blocked, const Progress& progress = {});
 
 }  // namespace overfly

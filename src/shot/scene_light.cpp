@@ -1,8 +1,12 @@
 #include "shot/scene_light.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "io/colour_relief_file.h"
+#include "shade/are_blocked.h"
 #include "shade/hypsometric.h"
 #include "shot/shot_facts.h"
 
@@ -17,12 +21,19 @@ ColourRamp colours_of(const ShotDocument& shot, const Stage& stage) {
                        {static_cast<double>(*lowest), static_cast<double>(*highest)});
 }
 
+std::uint32_t blocked(const RayScene& ground, std::span<const LightRay> rays) {
+    static_assert(kRaysAtOnce <= RayPacket::kSize);
+    RayPacket packet;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        packet.aim(i, rays[i].from - ground.float_centre(), rays[i].direction, true);
+    }
+    return ground.blocked_lanes(packet);
+}
+
 GroundLight ground_light(const ShotDocument& shot, const Stage& stage, const Daylight& day, const Progress& progress) {
-    const auto is_blocked = [&](Point<Scene> from, Vector<Scene> direction) {
-        return stage.full_rays().is_blocked(from, direction);
-    };
+    const auto are_blocked = [&ground = stage.full_rays()](std::span<const LightRay> r) { return blocked(ground, r); };
     const auto shadows = shot.look.sun_shadows == SunShadows::Baked ? GroundShadows::Baked : GroundShadows::Traced;
-    return light_ground(stage.full_mesh(), colours_of(shot, stage), day, is_blocked,
+    return light_ground(stage.full_mesh(), colours_of(shot, stage), day, are_blocked,
                         {shadows, has_light_parts(shot.layers)}, progress);
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
+#include <span>
 
 #include "core/parallel.h"
 #include "shade/sky_light.h"
@@ -19,19 +21,32 @@ using testing::heightfield;
 
 constexpr double kPost_m = 50.0;
 const ColourRamp kWhite{{{0.0F, {1.0F, 1.0F, 1.0F}}}};
-const IsBlocked kOpen = [](Point<Scene>, Vector<Scene>) { return false; };
+
+// Asks about one ray at a time.
+template <class F>
+AreBlocked each(F is_blocked) {
+    return [is_blocked](std::span<const LightRay> rays) {
+        std::uint32_t blocked = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (is_blocked(rays[i].from, rays[i].direction)) blocked |= 1U << i;
+        }
+        return blocked;
+    };
+}
+
+const AreBlocked kOpen = [](std::span<const LightRay>) { return 0U; };
 
 Look low_sun_in_the_east() { return {.sun_azimuth = Angle::degrees(90), .sun_elevation = Angle::degrees(30)}; }
 
 // Ground of a height function, by steps along the ray.
-IsBlocked blocked_by(double (*ground_m)(double x, double y)) {
-    return [ground_m](Point<Scene> from, Vector<Scene> d) {
+AreBlocked blocked_by(double (*ground_m)(double x, double y)) {
+    return each([ground_m](Point<Scene> from, Vector<Scene> d) {
         for (double t = 5.0; t < 4'000.0; t += 10.0) {
             const Point<Scene> p = from + t * d;
             if (p.z < ground_m(p.x, p.y)) return true;
         }
         return false;
-    };
+    });
 }
 
 double wall_m(double x, double /*y*/) { return x > 500.0 && x < 600.0 ? 300.0 : 0.0; }
@@ -79,7 +94,7 @@ TEST(GroundLight, IsTheColourTimesTheLight) {
 TEST(GroundLight, IsTheSameForAnyNumberOfThreads) {
     const TerrainMesh mesh = heightfield(90, 90, kPost_m, testing::rough_ground);
     const Daylight day(low_sun_in_the_east());
-    const IsBlocked east_is_closed = [](Point<Scene> p, Vector<Scene> d) { return d.x > 0.6 && p.x > p.y; };
+    const AreBlocked east_is_closed = each([](Point<Scene> p, Vector<Scene> d) { return d.x > 0.6 && p.x > p.y; });
     const int before = thread_limit();
     limit_threads(1);
     const GroundLight one = light_ground(mesh, kWhite, day, east_is_closed);
@@ -107,7 +122,7 @@ TEST(SunShare, AWallCastsItsShadowAsFarAsItShould) {
 TEST(SunShare, FallsOffWithoutStairs) {
     // The shadow's edge lies askew to the posts; along it the share changes, but nowhere from all to nothing.
     const TerrainMesh mesh = heightfield(21, 21, kPost_m, [](double, double) { return 0.0; });
-    const IsBlocked west_half = [](Point<Scene> p, Vector<Scene>) { return p.x < 0.3 * p.y + 7.0; };
+    const AreBlocked west_half = each([](Point<Scene> p, Vector<Scene>) { return p.x < 0.3 * p.y + 7.0; });
     const auto share = sun_share(mesh, {0.0, 0.0, 1.0}, west_half);
     int between = 0;
     for (std::size_t v = 0; v + 1 < share.size(); ++v) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include <hwy/targets.h>
 
 #include "config/read.h"
@@ -63,7 +65,7 @@ class GliderShot {
     // Nothing hides the sky from the ground, which takes a while to find out.
     LitGround light_{stage_.full_mesh(),
                      light_ground(stage_.full_mesh(), hypsometric_ramp(0.0F, 5000.0F), day_,
-                                  [](Point<Scene>, Vector<Scene>) { return false; }, {GroundShadows::Traced})};
+                                  [](std::span<const LightRay>) { return 0U; }, {GroundShadows::Traced})};
     ShotBodies bodies_;
     Sight sight_;
 };

@@ -18,6 +18,7 @@ inline TerrainMesh heightfield(int columns, int rows, double spacing_m,
             const double y = (0.5 * (rows - 1) - r) * spacing_m;
             mesh.positions.push_back({x, y, z(x, y)});
             mesh.elevation_m.push_back(static_cast<float>(z(x, y)));
+            mesh.samples.push_back({c, r});
         }
     }
     const auto vertex = [&](int c, int r) { return static_cast<VertexId>(r * columns + c); };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "film/film_frame.h"
@@ -33,7 +34,7 @@ struct FrameMaker {
     Daylight day{shot.look.look};
     LitGround light = {
         stage.full_mesh(),
-        light_ground(stage.full_mesh(), banded_ramp(), day, [](Point<Scene>, Vector<Scene>) { return false; },
+        light_ground(stage.full_mesh(), banded_ramp(), day, [](std::span<const LightRay>) { return 0U; },
                      {shot.look.sun_shadows == SunShadows::Exact ? GroundShadows::Traced : GroundShadows::Baked})};
 
     inline static const ShotBodies kNobody;
