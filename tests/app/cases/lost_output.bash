@@ -44,7 +44,6 @@ expect_frames_kept() {
     complete=$(find out -name 'shot.*.exr' | wc -l)
     expect test "$complete" -gt 0
     expect test "$complete" -lt 12
-    expect_clean_folder out
     for frame in out/*.exr; do expect cmp "$frame" "undisturbed/${frame#out/}"; done
     run render shot.yaml --json
     expect_exit 0
@@ -81,6 +80,8 @@ case_folder_becomes_read_only() {
     wait_for_render
     chmod u+w out
     expect_refused 'Permission denied'
+    # A file that was being written when the folder became read-only can't be taken away: the next run does it.
+    expect test "$(find out -name '.*.tmp-*' | wc -l)" -le 1
     expect_frames_kept
     expect_as_undisturbed
 }
@@ -133,6 +134,7 @@ case_disk_becomes_full() {
         render_with_small_files
         expect_refused 'File too large'
     fi
+    expect_clean_folder out
     expect_frames_kept
     expect_as_undisturbed
 }
