@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shot/drift_axis.h"
 #include "shot/drift_stretches.h"
 #include "shot/drift_tile.h"
 #include "shot/drifting_sight.h"
 
 namespace overfly {
 namespace {
-
-// Something far enough to stand for the sky.
-constexpr double kFar_m = 1e6;
 
 // A stretched instant.
 constexpr double kSweep_s = 1.0;
@@ -24,9 +22,8 @@ DriftExposure::DriftExposure(const Exposing& exposing, const MotionPiece& piece)
       planned_(planned_exposures(exposing, piece)),
       stretches_(drift_stretches(piece.when, planned_, exposing.tracers.drift_px)),
       stretch_(stretches_.size()),
-      tiles_(tiles_of(exposing.size, kDriftTileSide_px)) {
-    for (const PixelTile& tile : tiles_) axes_.push_back(axis_for(tile));
-}
+      tiles_(tiles_of(exposing.size, kDriftTileSide_px)),
+      axes_(drift_axes(exposing, piece, tiles_)) {}
 
 DriftExposure::~DriftExposure() = default;
 
@@ -84,19 +81,6 @@ void DriftExposure::look(const Sight& sight, TimeRange over, double exposure_s) 
         views_[static_cast<std::size_t>(axis)] =
             std::make_unique<DriftView>(*exposing_, sight, over, exposing_->tracers.drift_px / exposure_s, axis);
     }
-}
-
-DriftAxis DriftExposure::axis_for(const PixelTile& tile) const {
-    const double x = exposing_->size.film_x(0.5 * (tile.left + tile.right));
-    const double y = exposing_->size.film_y(0.5 * (tile.top + tile.bottom));
-    constexpr double kMiddle = 0.5;
-    const Vector<Scene> direction = piece_->direction_at(kMiddle, x, y);
-    const Point<Scene> eye = piece_->origin_at(kMiddle);
-    const auto hit = exposing_->tracers.ground->first_hit(eye, direction);
-    const Point<Scene> seen = eye + (hit ? hit->distance : kFar_m) * direction;
-    const FilmPoint begin = film_point(*piece_, 0.0, seen), end = film_point(*piece_, 1.0, seen);
-    if (begin.depth_m <= 0.0 || end.depth_m <= 0.0) return DriftAxis::X;
-    return std::abs(end.y - begin.y) > std::abs(end.x - begin.x) ? DriftAxis::X : DriftAxis::Y;
 }
 
 std::vector<DriftExposure::Part> DriftExposure::parts() const {

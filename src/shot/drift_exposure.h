@@ -16,9 +16,8 @@ inline constexpr int kDriftTileSide_px = 64;
 
 struct DriftView;
 
-// The light of lines that drift over the picture, for the frames of one piece of the camera's motion. They drift across
-// the motion of what they see, or nearly: along x or y, whichever is more across it, tile by tile (design 3.5). A frame
-// without exposure time is swept in the same way while the world stands still.
+// The light of lines that drift over the picture, for the frames of one piece of the camera's motion: along x or y,
+// tile by tile (drift_axis.h). A frame without exposure time is swept in the same way while the world stands still.
 //
 // Where all exposures of the piece are equally long, lines drift at one speed all through stretches of it
 // (drift_stretches.h); else each exposure is swept by itself.
@@ -46,7 +45,6 @@ class DriftExposure {
     void prepare_alone(TimeRange exposure);
     void look(const Sight& sight, TimeRange over, double exposure_s);
     [[nodiscard]] std::size_t stretch_of(TimeRange exposure) const;
-    [[nodiscard]] DriftAxis axis_for(const PixelTile& tile) const;
 
     const Exposing* exposing_;
     const MotionPiece* piece_;
