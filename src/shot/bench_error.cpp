@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <utility>
 
 #include "film/frame_error.h"
-#include "shot/drift_exposure.h"
+#include "shot/drift_fields.h"
 
 namespace overfly {
 namespace {
@@ -12,21 +14,21 @@ namespace {
 constexpr int kReferenceSamples = 4096;
 constexpr std::array<int, 5> kSamples = {16, 32, 64, 128, 256};
 constexpr std::array<int, 6> kLines = {1, 2, 3, 4, 6, 8};
-constexpr int kTilesOfReference = 16;
+constexpr int kTileRows = 5;
 
-// About kTilesOfReference tiles, evenly over the picture.
+// One tile in each of kTileRows rows and as many columns of fields, evenly over the picture: none is right below or
+// beside another.
 class SomeTiles {
   public:
-    explicit SomeTiles(PictureSize size)
-        : columns_((size.width + kDriftTileSide_px - 1) / kDriftTileSide_px),
-          rows_((size.height + kDriftTileSide_px - 1) / kDriftTileSide_px),
-          step_(std::max(columns_ * rows_ / kTilesOfReference, 1)) {}
-
-    bool operator()(int x, int y) const {
-        // The row's number shifts the choice, so that tiles aren't below each other.
-        const int row = y / kDriftTileSide_px;
-        return (row * columns_ + x / kDriftTileSide_px + row) % step_ == step_ / 2;
+    explicit SomeTiles(PictureSize size) {
+        const int columns = (size.width + kDriftTileSide_px - 1) / kDriftTileSide_px;
+        const int rows = (size.height + kDriftTileSide_px - 1) / kDriftTileSide_px;
+        for (int i = 0; i < kTileRows; ++i) {
+            for (int j = 0; j < kTileRows; ++j) tiles_.emplace(place(i, j, columns), place(j, i, rows));
+        }
     }
+
+    bool operator()(int x, int y) const { return tiles_.contains({x / kDriftTileSide_px, y / kDriftTileSide_px}); }
     [[nodiscard]] double share(PictureSize size) const {
         int pixels = 0;
         for (int y = 0; y < size.height; ++y) {
@@ -36,7 +38,12 @@ class SomeTiles {
     }
 
   private:
-    int columns_, rows_, step_;
+    // Along a side of so many tiles: in field `of`, shifted by where that is along the other side.
+    static int place(int of, int along_other, int tiles) {
+        return (2 * (of * kTileRows + along_other) + 1) * tiles / (2 * kTileRows * kTileRows);
+    }
+
+    std::set<std::pair<int, int>> tiles_;  // column and row
 };
 
 class ErrorMeasuring {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "flight/motion.h"
-#include "shot/expose_piece.h"
 #include "shot/line_pattern.h"
 
 namespace overfly {
@@ -32,17 +27,13 @@ class DriftAxisChoice {
     explicit DriftAxisChoice(double drift_px) : drift_px_(drift_px) {}
 
     void add(const PictureChange& change);
-    // Downward if in doubt: that is from far to near, and a line that meets the nearer one needs no ray (kinetic.md).
+    // Downward if in doubt, as most pictures of ground want it; that is also from far to near, and a line that meets
+    // the nearer needs no ray (kinetic.md).
     [[nodiscard]] DriftAxis best() const { return error_x_ < error_y_ ? DriftAxis::X : DriftAxis::Y; }
 
   private:
     double drift_px_;
     double error_x_ = 0.0, error_y_ = 0.0;  // squared, of lines along that axis, to any scale
 };
-
-// For each tile the axis along which its lines had better drift all through a piece, as the ground looks in the middle
-// of it, for exposures as long as the planned ones. REQUIRES: exposing has drift.
-[[nodiscard]] std::vector<DriftAxis> drift_axes(const Exposing& exposing, const MotionPiece& piece,
-                                                std::span<const PixelTile> tiles);
 
 }  // namespace overfly

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shot/drift_axis.h"
 #include "shot/drift_stretches.h"
 #include "shot/drift_tile.h"
 #include "shot/drifting_sight.h"
@@ -22,8 +21,7 @@ DriftExposure::DriftExposure(const Exposing& exposing, const MotionPiece& piece)
       planned_(planned_exposures(exposing, piece)),
       stretches_(drift_stretches(piece.when, planned_, exposing.tracers.drift_px)),
       stretch_(stretches_.size()),
-      tiles_(tiles_of(exposing.size, kDriftTileSide_px)),
-      axes_(drift_axes(exposing, piece, tiles_)) {}
+      fields_(drift_fields(exposing, piece)) {}
 
 DriftExposure::~DriftExposure() = default;
 
@@ -77,7 +75,7 @@ std::size_t DriftExposure::stretch_of(TimeRange exposure) const {
 
 void DriftExposure::look(const Sight& sight, TimeRange over, double exposure_s) {
     for (const DriftAxis axis : {DriftAxis::X, DriftAxis::Y}) {
-        if (std::ranges::find(axes_, axis) == axes_.end()) continue;
+        if (std::ranges::find(fields_, axis, &DriftField::axis) == fields_.end()) continue;
         views_[static_cast<std::size_t>(axis)] =
             std::make_unique<DriftView>(*exposing_, sight, over, exposing_->tracers.drift_px / exposure_s, axis);
     }
@@ -85,17 +83,17 @@ void DriftExposure::look(const Sight& sight, TimeRange over, double exposure_s) 
 
 std::vector<DriftExposure::Part> DriftExposure::parts() const {
     std::vector<Part> out;
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        if (views_[static_cast<std::size_t>(axes_[t])] == nullptr) continue;
-        if (exposing_->wanted && !exposing_->wanted(tiles_[t].left, tiles_[t].top)) continue;
-        for (std::size_t e = 0; e < exposures_.size(); ++e) out.push_back({t, e});
+    for (std::size_t f = 0; f < fields_.size(); ++f) {
+        if (views_[static_cast<std::size_t>(fields_[f].axis)] == nullptr) continue;
+        for (std::size_t e = 0; e < exposures_.size(); ++e) out.push_back({f, e});
     }
     return out;
 }
 
 void DriftExposure::run(const Part& part, TraceCounters& counters) const {
-    const DriftView& view = *views_[static_cast<std::size_t>(axes_[part.tile])];
-    DriftTile(*exposing_, tiles_[part.tile], view, curve_, counters)
+    const DriftField& field = fields_[part.field];
+    const DriftView& view = *views_[static_cast<std::size_t>(field.axis)];
+    DriftTile(*exposing_, field.pixels, view, curve_, counters)
         .expose(exposures_[part.exposure], *films_[part.exposure]);
 }
 

@@ -6,13 +6,10 @@
 #include <vector>
 
 #include "flight/motion.h"
+#include "shot/drift_fields.h"
 #include "shot/expose_piece.h"
-#include "shot/line_pattern.h"
 
 namespace overfly {
-
-// A stretch of the picture, rows and columns alike, in which all lines drift the same way.
-inline constexpr int kDriftTileSide_px = 64;
 
 struct DriftView;
 
@@ -33,9 +30,9 @@ class DriftExposure {
     // prepared for exposures of the same sweep is used again. films: of the exposures; must outlive the parts.
     [[nodiscard]] std::size_t prepare(std::span<const TimeRange> exposures, std::span<FilmFrame* const> films);
 
-    // One tile for one of the exposures, for each of both.
+    // One field for one of the exposures, for each of both.
     struct Part {
-        std::size_t tile, exposure;
+        std::size_t field, exposure;
     };
     [[nodiscard]] std::vector<Part> parts() const;
     // Different parts may be run from different threads at once.
@@ -51,9 +48,8 @@ class DriftExposure {
     std::vector<TimeRange> planned_;
     std::vector<TimeRange> stretches_;
     std::size_t stretch_;  // that views_ are of; none: stretches_.size()
-    std::vector<PixelTile> tiles_;
-    std::vector<DriftAxis> axes_;                      // of each tile
-    std::array<std::unique_ptr<DriftView>, 2> views_;  // by axis, as far as any tile needs them
+    std::vector<DriftField> fields_;
+    std::array<std::unique_ptr<DriftView>, 2> views_;  // by axis, as far as any field needs them
     std::vector<TimeRange> exposures_;                 // an instant stretched for the sweep
     std::span<FilmFrame* const> films_;
     ShutterCurve curve_;

@@ -22,7 +22,7 @@ TEST(DriftAxisChoice, IsOverEdgesThatStay) {
 
 // What is equally uneven in all directions is blurred by time along the motion.
 TEST(DriftAxisChoice, IsAcrossTheMotionOfEvenGround) {
-    for (const double motion_px : {-20.0, -2.0, 2.0, 20.0}) {
+    for (const double motion_px : {-20.0, -4.0, 4.0, 20.0}) {
         EXPECT_EQ(best({{.right = 1.0, .motion_right_px = motion_px}, {.down = 1.0, .motion_right_px = motion_px}}),
                   DriftAxis::Y)
             << motion_px;
