@@ -20,7 +20,8 @@ def rows(result):
     yield "crossings a pixel and frame", f"{result['crossings_per_pixel_frame']:.2f}"
     equal = at_64_samples(result)
     if equal:
-        yield "the error of 64 samples", f"{equal['kinetic_lines']} lines, {equal['ratio']:.1f} times as fast"
+        lines = f"{equal['kinetic_lines']} lines that drift {equal['kinetic_drift_px']:g} pixels"
+        yield "the error of 64 samples", f"{lines}, {equal['ratio']:.1f} times as fast"
     if "end_to_end" in result:
         end = result["end_to_end"]
         yield f"a frame of {end['lines']} lines / writing it", f"{end['ratio']:.1f}"

@@ -44,7 +44,8 @@ nlohmann::ordered_json volumes_json(const BenchResult& r) {
 
 nlohmann::ordered_json curve_json(const std::vector<ErrorPoint>& points) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
-    for (const ErrorPoint& p : points) out.push_back({{"count", p.count}, {"rmse", p.rmse}, {"seconds", p.seconds}});
+    for (const ErrorPoint& p : points)
+        out.push_back({{"count", p.count}, {"drift_px", p.drift_px}, {"rmse", p.rmse}, {"seconds", p.seconds}});
     return out;
 }
 
@@ -55,6 +56,7 @@ nlohmann::ordered_json equal_error_json(const ErrorBench& bench) {
                        {"discrete_samples", e.discrete.count},
                        {"discrete_seconds", e.discrete.seconds},
                        {"kinetic_lines", e.kinetic.count},
+                       {"kinetic_drift_px", e.kinetic.drift_px},
                        {"kinetic_rmse", e.kinetic.rmse},
                        {"kinetic_seconds", e.kinetic.seconds},
                        {"ratio", e.ratio()}});
@@ -107,7 +109,10 @@ nlohmann::ordered_json bench_json(const BenchResult& r) {
                 {"near_edge", r.kinetic_check.differed_by_edge}}}}},
             {"reference_samples", r.error.reference_samples},
             {"equal_error", equal_error_json(r.error)},
-            {"error_curves", {{"discrete", curve_json(r.error.discrete)}, {"kinetic", curve_json(r.error.kinetic)}}},
+            {"error_curves",
+             {{"discrete", curve_json(r.error.discrete)},
+              {"kinetic", curve_json(r.error.kinetic)},
+              {"kinetic_other_drifts", curve_json(r.error.other_drifts)}}},
             {"threads", threads},
             {"frame_rate_cost", rates},
             {"end_to_end",
@@ -150,11 +155,11 @@ std::string volumes_text(const BenchResult& r) {
 std::string speed_text(const BenchResult& r) {
     std::string text =
         fmt::format("\nerror against {} samples, one thread, light and film included\n", r.error.reference_samples);
-    text += "  samples      RMSE  s a frame   lines      RMSE  s a frame   ratio\n";
+    text += "  samples      RMSE  s a frame   lines  drift      RMSE  s a frame   ratio\n";
     for (const EqualError& e : r.error.equal)
-        text +=
-            fmt::format("  {:>7}{:>10.5f}{:>11.2f}{:>8}{:>10.5f}{:>11.2f}{:>8.1f}\n", e.discrete.count, e.discrete.rmse,
-                        e.discrete.seconds, e.kinetic.count, e.kinetic.rmse, e.kinetic.seconds, e.ratio());
+        text += fmt::format("  {:>7}{:>10.5f}{:>11.2f}{:>8}{:>7}{:>10.5f}{:>11.2f}{:>8.1f}\n", e.discrete.count,
+                            e.discrete.rmse, e.discrete.seconds, e.kinetic.count, e.kinetic.drift_px, e.kinetic.rmse,
+                            e.kinetic.seconds, e.ratio());
     for (const RateCost& c : r.frame_rate_cost)
         text += fmt::format("  {:>2} times the frame rate: {:.2f} times the visibility time\n", c.factor,
                             c.ns_per_pixel_second / r.frame_rate_cost.front().ns_per_pixel_second);

@@ -9,12 +9,13 @@ namespace overfly {
 
 // How far a picture is from the truth, and what it took: light and film included, processor time of one frame.
 struct ErrorPoint {
-    int count = 0;  // of samples, or of lines, a pixel
+    int count = 0;          // of samples, or of lines, a pixel
+    double drift_px = 0.0;  // of lines
     double rmse = 0.0;
     double seconds = 0.0;
 };
 
-// The fewest lines that are at least as near to the truth as so many samples.
+// The quickest lines that are at least as near to the truth as so many samples.
 struct EqualError {
     ErrorPoint discrete, kinetic;
 
@@ -23,7 +24,8 @@ struct EqualError {
 
 struct ErrorBench {
     int reference_samples = 0;
-    std::vector<ErrorPoint> discrete, kinetic;
+    std::vector<ErrorPoint> discrete, kinetic;  // with the shot's drift
+    std::vector<ErrorPoint> other_drifts;
     std::vector<EqualError> equal;
 };
 
