@@ -23,13 +23,12 @@ struct OtherDrift {
 };
 constexpr std::array<OtherDrift, 6> kOtherDrifts = {{{1, 0.5}, {1, 1.5}, {1, 2.0}, {1, 3.0}, {2, 2.0}, {2, 3.0}}};
 
-// One tile in each of kTileRows rows and as many columns of fields, evenly over the picture: none is right below or
-// beside another.
+// One tile in each of kTileRows x kTileRows fields of the picture, shifted from field to field so that they share
+// columns and rows only where a small picture has too few.
 class SomeTiles {
   public:
     explicit SomeTiles(PictureSize size) {
-        const int columns = (size.width + kDriftTileSide_px - 1) / kDriftTileSide_px;
-        const int rows = (size.height + kDriftTileSide_px - 1) / kDriftTileSide_px;
+        const int columns = drift_tiles_along(size.width), rows = drift_tiles_along(size.height);
         for (int i = 0; i < kTileRows; ++i) {
             for (int j = 0; j < kTileRows; ++j) tiles_.emplace(place(i, j, columns), place(j, i, rows));
         }

@@ -79,7 +79,7 @@ class JoinedTiles {
   public:
     JoinedTiles(const Exposing& exposing, const MotionPiece& piece)
         : tiles_(tiles_of(exposing.size, kDriftTileSide_px)),
-          columns_(static_cast<std::size_t>((exposing.size.width + kDriftTileSide_px - 1) / kDriftTileSide_px)),
+          columns_(static_cast<std::size_t>(drift_tiles_along(exposing.size.width))),
           most_(exposing.tracers.error > 0.0 ? 1 : kMostTiles),
           axes_(tiles_.size(), DriftAxis::Y),
           is_open_(tiles_.size(), 1) {

@@ -11,6 +11,11 @@ namespace overfly {
 // A stretch of the picture, rows and columns alike, in which all lines drift the same way.
 inline constexpr int kDriftTileSide_px = 64;
 
+// How many of them there are along a side of the picture; the last may be cut.
+[[nodiscard]] constexpr int drift_tiles_along(int side_px) {
+    return (side_px + kDriftTileSide_px - 1) / kDriftTileSide_px;
+}
+
 // Tiles beside each other along the way that lines drift, in all of them: they are followed from one to the next.
 struct DriftField {
     PixelTile pixels;
